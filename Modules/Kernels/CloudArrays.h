@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CloudArrays.h
+ * @brief The names by which the modules meet: every array they exchange, its association, shape and unit.
+ *
+ * Nothing else in the project spells one of these names.
+ */
+#ifndef CloudArrays_h
+#define CloudArrays_h
+
+namespace nephoscope
+{
+namespace arrays
+{
+// Point arrays of a gridded cloud field, float unless said otherwise.
+inline constexpr const char* CloudFraction = "CloudFraction"; ///< 1 component, 0..1
+inline constexpr const char* LiquidWater = "LiquidWater";     ///< 1 component, kg/kg
+inline constexpr const char* IceWater = "IceWater";           ///< 1 component, kg/kg
+inline constexpr const char* Wind = "Wind";         ///< 3 components, m/s, along the scene's axes
+inline constexpr const char* Pressure = "Pressure"; ///< 1 component, Pa
+inline constexpr const char* Height =
+  "Height"; ///< 1 component, m above sea level, never exaggerated
+inline constexpr const char* Temperature = "Temperature";           ///< 1 component, K
+inline constexpr const char* SpecificHumidity = "SpecificHumidity"; ///< 1 component, kg/kg
+
+// Point arrays of the transparency texture.
+inline constexpr const char* TextureCoordinates =
+  "TextureCoordinates";                           ///< 3 components, m of the reference position
+inline constexpr const char* Opacity = "Opacity"; ///< 1 component, 0..1, Gardner's 1 - TR
+
+// Point arrays of a picture (vtkImageData, float).
+inline constexpr const char* Radiance = "Radiance"; ///< 3 components, linear RGB
+inline constexpr const char* Transmittance =
+  "Transmittance"; ///< 3 components, RGB, 0..1, of all that is not backdrop
+inline constexpr const char* Depth =
+  "Depth"; ///< 1 component, scene units along the ray to transmittance 1/2, or +inf
+
+// Field data that say how a grid lies in the scene.
+inline constexpr const char* Geometry = "Geometry";         ///< string: Map, Globe or Local
+inline constexpr const char* PlanetRadius = "PlanetRadius"; ///< double, scene units; Globe only
+inline constexpr const char* HeightScale =
+  "HeightScale"; ///< double, scene units of vertical distance per metre of Height (the exaggeration, in metres)
+inline constexpr const char* Projection = "Projection"; ///< string, PROJ definition; Local only
+}
+}
+#endif

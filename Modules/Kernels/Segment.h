@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Segment.h
+ * @brief The currency of the renderer: what a stretch of a viewing ray adds and what it lets through.
+ *
+ *     L = L_stretch + T_stretch * L_behind        T = exp(-opticalDepth)
+ *
+ * Max 1994 eq. 1 (cloud plane), eq. 7 (density emitter) and Max 1986 section 4 (J + T I) are all this equation.
+ */
+#ifndef Segment_h
+#define Segment_h
+
+#include <array>
+#include <limits>
+#include <vector>
+
+namespace nephoscope
+{
+using RGB = std::array<float, 3>;
+
+/// A stretch of a viewing ray. A surface has nearEnd == farEnd; an opaque one has infinite optical depth.
+struct Segment
+{
+  double nearEnd = 0;          ///< distance along the ray, scene units
+  double farEnd = 0;           ///< distance along the ray, scene units, >= nearEnd
+  RGB opticalDepth{ 0, 0, 0 }; ///< per channel, >= 0, dimensionless
+  RGB radiance{ 0, 0, 0 };     ///< per channel, leaving the near end, attenuated within the segment
+};
+
+/// What the segments of one pixel amount to.
+struct PixelLight
+{
+  RGB radiance{ 0, 0, 0 }; ///< sum of the segments' radiances, each attenuated by those before it
+  RGB transmittance{ 1, 1, 1 }; ///< product of the segments' transmittances
+  double depth = std::numeric_limits<
+    double>::infinity(); ///< where the mean transmittance falls to 1/2, else infinity
+};
+
+constexpr float Opaque =
+  std::numeric_limits<float>::infinity(); ///< optical depth of what hides all behind it
+
+/**
+ * @brief Composite one pixel's segments front to back.
+ *
+ * Segments are sorted in place by nearEnd; equal ones (surfaces at one distance) keep the order they came in.
+ * Where segments overlap, they are split at each other's ends and the common stretch is mixed as uniform media:
+ * with extinction sigma_i = tau_i / l_i and emission j_i = (L_i / l_i) tau_i / (1 - exp(-tau_i)), the mixture has
+ * sigma = sum sigma_i, j = sum j_i, and a stretch d of it has tau = sigma d, L = j d (1 - exp(-tau)) / tau.
+ * Splitting a single segment changes nothing. Segments whose ends or optical depths are NaN, that end behind the eye
+ * or are turned around (farEnd < nearEnd) are dropped; a part behind the eye (distance < 0) is cut off.
+ *
+ * Depth is interpolated within its segment by the uniform law.
+ *
+ * @param segments all segments of the pixel, any order; sorted on return
+ * @return the light that they add and let through; without segments nothing added and all let through
+ * Cost: O(n log n) plus O(n m) where m segments overlap. No allocation unless more than 64 overlap.
+ */
+PixelLight composite(std::vector<Segment>& segments);
+PixelLight composite(Segment* begin, Segment* end); ///< the same on a range
+
+/// (1 - exp(-x)) / x for x >= 0, by series where that cancels; 1 at 0, 0 at infinity.
+double transmittedMean(double x);
+}
+#endif

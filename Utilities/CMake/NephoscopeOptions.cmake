@@ -1,0 +1,41 @@
+# Every switch of the build, its default, and the flags that follow from it.
+include(GNUInstallDirs)
+include(CTest)
+
+option(BUILD_SHARED_LIBS "Build shared libraries" ON)
+option(Nephoscope_WRAP_PYTHON "Build the Python package nephoscope" ON)
+option(Nephoscope_WARNINGS_AS_ERRORS "Compile with -Werror" OFF)
+set(Nephoscope_SANITIZE "" CACHE STRING "Sanitizers for the whole build, e.g. address,undefined")
+
+if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif ()
+
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+set(Nephoscope_CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/nephoscope")
+
+add_compile_options(-Wall -Wextra)
+if (Nephoscope_WARNINGS_AS_ERRORS)
+  add_compile_options(-Werror)
+endif ()
+if (Nephoscope_SANITIZE)
+  add_compile_options(-fsanitize=${Nephoscope_SANITIZE} -fno-sanitize-recover=all
+    -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${Nephoscope_SANITIZE})
+endif ()
+
+# The VTK modules that ours depend on, directly or in tests.
+set(Nephoscope_VTK_COMPONENTS
+  CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
+  FiltersCore FiltersGeneral FiltersGeometry FiltersHybrid FiltersSources
+  IOImage IOXML RenderingCore)
+if (Nephoscope_WRAP_PYTHON)
+  list(APPEND Nephoscope_VTK_COMPONENTS WrappingPythonCore WrappingTools)
+endif ()

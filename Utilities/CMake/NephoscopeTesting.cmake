@@ -1,0 +1,29 @@
+# Tests beside what they test, labelled by layer: kernels, io, filters, rendering, program, integration, python, examples.
+find_package(GTest REQUIRED)
+include(GoogleTest)
+
+# nephoscope_add_test(NAME LABEL label SOURCES s... DEPENDS targets...): one GoogleTest program, one CTest entry.
+function (nephoscope_add_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 test "" "LABEL;TIMEOUT" "SOURCES;DEPENDS")
+  if (NOT test_TIMEOUT)
+    set(test_TIMEOUT 300)
+  endif ()
+  add_executable(${name} ${test_SOURCES})
+  target_link_libraries(${name} PRIVATE ${test_DEPENDS} GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE
+    NEPHOSCOPE_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+    NEPHOSCOPE_SHARED_DATA_DIR="${PROJECT_SOURCE_DIR}/../shared/data")
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
+  add_test(NAME ${name} COMMAND ${name})
+  set_tests_properties(${name} PROPERTIES LABELS "${test_LABEL}" TIMEOUT ${test_TIMEOUT})
+endfunction ()
+
+file(GLOB test_folders CONFIGURE_DEPENDS
+  "${PROJECT_SOURCE_DIR}/Modules/*/Testing/Cxx" "${PROJECT_SOURCE_DIR}/Testing/*" "${PROJECT_SOURCE_DIR}/Examples/*"
+  "${PROJECT_SOURCE_DIR}/Utilities/*/Testing")
+foreach (folder IN LISTS test_folders)
+  if (EXISTS "${folder}/CMakeLists.txt")
+    file(RELATIVE_PATH place "${PROJECT_SOURCE_DIR}" "${folder}")
+    add_subdirectory("${folder}" "${CMAKE_BINARY_DIR}/${place}")
+  endif ()
+endforeach ()

@@ -1,0 +1,12 @@
+"""Clouds of climate and weather models, as VTK classes: ``import nephoscope`` finds every vtkCloud class."""
+import importlib as _importlib
+import pathlib as _pathlib
+
+# VTK's own extension modules first: ours hand out their objects.
+import vtkmodules.all as _vtk  # noqa: F401
+
+for _file in sorted(_pathlib.Path(__file__).parent.glob("Cloud*.so")):
+    _module = _importlib.import_module("." + _file.name.split(".")[0], __name__)
+    globals().update({_n: getattr(_module, _n) for _n in dir(_module) if _n.startswith("vtkCloud")})
+
+__all__ = sorted(_n for _n in globals() if _n.startswith("vtkCloud"))
