@@ -5,7 +5,7 @@ import pathlib as _pathlib
 # VTK's own extension modules first: ours hand out their objects.
 import vtkmodules.all as _vtk  # noqa: F401
 
-for _file in sorted(_pathlib.Path(__file__).parent.glob("Cloud*.so")):
+for _file in sorted(_pathlib.Path(__file__).parent.glob("vtkCloud*.so")):
     _module = _importlib.import_module("." + _file.name.split(".")[0], __name__)
     globals().update({_n: getattr(_module, _n) for _n in dir(_module) if _n.startswith("vtkCloud")})
 

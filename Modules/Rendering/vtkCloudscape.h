@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkCloudscape
+ * @brief Draws bodies before a backdrop: the picture as a vtkImageData of float arrays.
+ *
+ * The picture is cut into square tiles. For each tile, from several threads at once,
+ *  1. the bodies emit segments into the tile's deep pixels, the opaque bodies first;
+ *  2. each deep pixel is sorted and composited front to back, overlaps split and mixed (nephoscope::composite);
+ *  3. the backdrop is added where light gets through.
+ * So translucent surfaces, volumes and opaque things interpenetrate correctly. A part that a scene does not name costs
+ * nothing. No display and no OpenGL is needed.
+ *
+ * Input    none; bodies have their own pipelines, which are brought up to date first.
+ * Output   vtkImageData of Size, spacing 1, point arrays (float):
+ *            Radiance       3, linear RGB
+ *            Transmittance  3, what the bodies let through of the backdrop
+ *            Depth          1, scene units along the ray to where the mean transmittance falls to 1/2, +infinity if
+ *                           it does not
+ * Parameters: see the setters.
+ * Method   L = L_body + T_body L_backdrop, the equation of nephoscope::Segment.
+ * Errors   no camera, a size that is not positive or over 32768, a body that cannot be prepared: vtkErrorMacro, an
+ *          empty output.
+ * Cost     that of the bodies plus O(n log n) for the n segments of each pixel. Memory is that of the picture and of
+ *          one tile's segments a thread. The same bits for any number of threads. Reports progress and can be aborted.
+ * @sa vtkCloudBody, vtkCloudBackdrop, nephoscope::DeepTile
+ */
+#ifndef vtkCloudscape_h
+#define vtkCloudscape_h
+
+#include "vtkCloudRenderingModule.h" // for export macro
+#include "vtkImageAlgorithm.h"
+#include "vtkSmartPointer.h" // for members
+
+#include <vector> // for members
+
+class vtkCamera;
+class vtkCloudBackdrop;
+class vtkCloudBody;
+
+class VTKCLOUDRENDERING_EXPORT vtkCloudscape : public vtkImageAlgorithm
+{
+public:
+  static vtkCloudscape* New();
+  vtkTypeMacro(vtkCloudscape, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Where the picture is taken from: position, focal point, view-up, view angle or parallel scale. Clipping planes do not
+  /// matter. Required.
+  void SetCamera(vtkCamera* camera);
+  vtkCamera* GetCamera() const;
+  ///@}
+
+  ///@{
+  /// Width and height, pixels, 1 to 32768. Default 1024 x 768.
+  vtkSetVector2Macro(Size, int);
+  vtkGetVector2Macro(Size, int);
+  ///@}
+
+  ///@{
+  /// Edge of a tile, pixels. Affects memory and speed, never the picture. Default 32.
+  vtkSetClampMacro(TileSize, int, 1, 1024);
+  vtkGetMacro(TileSize, int);
+  ///@}
+
+  ///@{
+  /// What is behind everything. Default none: black.
+  void SetBackdrop(vtkCloudBackdrop* backdrop);
+  vtkCloudBackdrop* GetBackdrop() const;
+  ///@}
+
+  ///@{
+  /// The bodies of the scene; adding one twice draws it twice.
+  void AddBody(vtkCloudBody* body);
+  void RemoveAllBodies();
+  int GetNumberOfBodies() const;
+  ///@}
+
+  ///@{
+  /// Figures of the last run: segments composited; seconds that the bodies' pipelines, their preparation and the tiles took.
+  vtkGetMacro(NumberOfSegments, vtkIdType);
+  vtkGetMacro(PipelineSeconds, double);
+  vtkGetMacro(PrepareSeconds, double);
+  vtkGetMacro(TileSeconds, double);
+  ///@}
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkCloudscape();
+  ~vtkCloudscape() override;
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override;
+
+private:
+  vtkCloudscape(const vtkCloudscape&) = delete;
+  void operator=(const vtkCloudscape&) = delete;
+
+  bool Validate();
+  void UpdateBodies();
+
+  vtkSmartPointer<vtkCamera> Camera;
+  vtkSmartPointer<vtkCloudBackdrop> Backdrop;
+  std::vector<vtkSmartPointer<vtkCloudBody>> Bodies;
+  int Size[2] = { 1024, 768 };
+  int TileSize = 32;
+  vtkIdType NumberOfSegments = 0;
+  double PipelineSeconds = 0;
+  double PrepareSeconds = 0;
+  double TileSeconds = 0;
+};
+#endif
