@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Clouds of climate and weather models, as VTK classes: ``import nephoscope`` finds every vtkCloud class."""
 import importlib as _importlib
 import pathlib as _pathlib
@@ -7,6 +8,6 @@ import vtkmodules.all as _vtk  # noqa: F401
 
 for _file in sorted(_pathlib.Path(__file__).parent.glob("vtkCloud*.so")):
     _module = _importlib.import_module("." + _file.name.split(".")[0], __name__)
-    globals().update({_n: getattr(_module, _n) for _n in dir(_module) if _n.startswith("vtkCloud")})
+    globals().update({_name: _value for _name, _value in vars(_module).items() if _name.startswith("vtkCloud")})
 
-__all__ = sorted(_n for _n in globals() if _n.startswith("vtkCloud"))
+__all__ = sorted(_name for _name, _value in globals().items() if isinstance(_value, type))
