@@ -5,6 +5,8 @@ include(CTest)
 option(BUILD_SHARED_LIBS "Build shared libraries" ON)
 option(Nephoscope_WRAP_PYTHON "Build the Python package nephoscope" ON)
 option(Nephoscope_WARNINGS_AS_ERRORS "Compile with -Werror" OFF)
+# Debian's interpreter: another python3 on PATH has no vtkmodules.
+set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Python whose vtkmodules is VTK's own")
 set(Nephoscope_SANITIZE "" CACHE STRING "Sanitizers for the whole build, e.g. address,undefined")
 
 if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)

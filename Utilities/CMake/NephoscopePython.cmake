@@ -2,8 +2,6 @@
 if (NOT Nephoscope_WRAP_PYTHON)
   return ()
 endif ()
-# Debian's interpreter: another python3 on PATH has no vtkmodules.
-set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Python whose vtkmodules is VTK's own")
 find_package(Python3 REQUIRED COMPONENTS Interpreter Development)
 vtk_module_python_default_destination(Nephoscope_PYTHON_DESTINATION)
 vtk_module_wrap_python(

@@ -1,6 +1,8 @@
-# Tests beside what they test, labelled by layer: kernels, io, filters, rendering, program, integration, python, examples.
+# Tests beside what they test, labelled by layer: kernels, io, filters, rendering, program, integration, python,
+# examples, install, house.
 find_package(GTest REQUIRED)
 include(GoogleTest)
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
 # nephoscope_add_test(NAME LABEL label SOURCES s... DEPENDS targets...): one GoogleTest program, one CTest entry.
 function (nephoscope_add_test name)
@@ -16,6 +18,19 @@ function (nephoscope_add_test name)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
   add_test(NAME ${name} COMMAND ${name})
   set_tests_properties(${name} PROPERTIES LABELS "${test_LABEL}" TIMEOUT ${test_TIMEOUT})
+endfunction ()
+
+# nephoscope_add_python_test(NAME LABEL label COMMAND script arguments...): a Python script beside the CMakeLists.txt.
+function (nephoscope_add_python_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 test "" "LABEL;TIMEOUT" "COMMAND")
+  if (NOT test_TIMEOUT)
+    set(test_TIMEOUT 300)
+  endif ()
+  add_test(NAME ${name}
+    COMMAND "${Python3_EXECUTABLE}" -B ${test_COMMAND}
+    WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}")
+  set_tests_properties(${name} PROPERTIES LABELS "${test_LABEL}" TIMEOUT ${test_TIMEOUT}
+    ENVIRONMENT "PYTHONPATH=${CMAKE_BINARY_DIR}/${Nephoscope_PYTHON_DESTINATION}")
 endfunction ()
 
 file(GLOB test_folders CONFIGURE_DEPENDS
