@@ -179,7 +179,8 @@ TEST(CloudTexture, HasNoDirectionOfItsOwnWhenTurned)
   double extremes[2][2] = { { 1e9, 0 }, { 1e9, 0 } };
   for (int d = 1; d < 14; ++d)
   {
-    const double e[3] = { double(d % 3) - 1, double(d / 3 % 3) - 1, double(d / 9) - 1 };
+    const int digit[3] = { d % 3, d / 3 % 3, d / 9 };
+    const double e[3] = { digit[0] - 1.0, digit[1] - 1.0, digit[2] - 1.0 };
     const double length = std::sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
     Places places(p.wavelength);
     double sums[2] = { 0, 0 };
