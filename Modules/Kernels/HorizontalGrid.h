@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file HorizontalGrid.h
+ * @brief Where the columns of a grid stand, on a sphere or in a plane, and which of them a position is read from.
+ *
+ * A position is a Vector3: a direction (unit vector) on the sphere, metres (x, y, 0) in the plane. Fields on the sphere
+ * are read in Cartesian components, so that the poles and the date line are ordinary places: a stencil that reaches over
+ * a pole goes on in the rows of the opposite meridian.
+ *
+ * Column (i, j) of the grid has number i + columns() * j, as the points of one level of a vtkStructuredGrid.
+ */
+#ifndef HorizontalGrid_h
+#define HorizontalGrid_h
+
+#include "Vector3.h"
+
+#include <array>
+#include <limits>
+#include <vector>
+
+namespace nephoscope
+{
+/// How a field is read between the columns: bilinear, or by the cubic through four points each way (Lagrange).
+enum class Interpolation
+{
+  Linear, ///< second order, bounded by its neighbours
+  Cubic   ///< fourth order on smooth fields, may overshoot
+};
+
+/// The columns that a position is read from, and their weights, which sum to 1.
+struct ColumnStencil
+{
+  int count = 0;
+  std::array<int, 16> column;
+  std::array<double, 16> weight;
+};
+
+class HorizontalGrid
+{
+public:
+  HorizontalGrid() = default;
+  /**
+   * Rows of latitude and columns of longitude, radians, each strictly monotonic, at least one each. Longitudes that span
+   * the circle, with or without a closing column, are periodic; rows that come within 1.5 spacings of a pole go over it.
+   */
+  static HorizontalGrid sphere(std::vector<double> longitudes, std::vector<double> latitudes);
+  /// Rows of y and columns of x, metres, each strictly monotonic, at least one each.
+  static HorizontalGrid plane(std::vector<double> x, std::vector<double> y);
+
+  bool isSphere() const { return this->Sphere; }
+  bool isPeriodic() const { return this->Periodic; }
+  int columns() const { return static_cast<int>(this->X.Values.size()); }
+  int rows() const { return static_cast<int>(this->Y.Values.size()); }
+
+  /// The position of a column.
+  Vector3 position(int i, int j) const;
+
+  /**
+   * @brief Where to read a field for a position.
+   * Outside a grid that does not go round, the nearest place of its edge is read. With fewer than four rows or columns,
+   * cubic is linear in that direction.
+   * Cost: about 20 ns linear, 60 ns cubic, and an atan2 or two on the sphere. Thread-safe, allocation-free.
+   */
+  void locate(const Vector3& position, Interpolation interpolation, ColumnStencil& stencil) const;
+
+  /// The smallest distance of neighbouring columns, radians or metres, not counting rows within 10 degrees of a pole.
+  double smallestSpacing() const;
+
+private:
+  /// One axis, always stored with its own order; Guess finds intervals in constant time.
+  struct Axis
+  {
+    std::vector<double> Values;
+    std::vector<int> Guess;
+    double First = 0;
+    double Scale = 0;
+    bool Descending = false;
+
+    void set(std::vector<double> values);
+    /// k with value k <= at <= value k+1 in rising order, 0 <= k <= n - 2.
+    int interval(double at) const;
+    double rising(int k) const
+    {
+      return this->Values[this->Descending ? this->Values.size() - 1 - k : k];
+    }
+  };
+  struct Nodes
+  {
+    int count;
+    std::array<int, 4> index; // in rising order; rows may lie beyond the ends of the axis
+    std::array<double, 4> weight;
+  };
+
+  Nodes nodesOfLongitude(double longitude, Interpolation interpolation) const;
+  Nodes nodesOfRow(double y, Interpolation interpolation) const;
+  double rowValue(int risingIndex) const;
+  bool overSouth() const { return this->Poles[0]; }
+  bool overNorth() const { return this->Poles[1]; }
+
+  Axis X;
+  Axis Y;
+  bool Sphere = false;
+  bool Periodic = false;
+  int Period = 0;                               // columns that differ, where periodic
+  std::array<bool, 2> Poles{ false, false };    // stencils go over the south, the north pole
+  std::array<bool, 2> PoleRows{ false, false }; // the outermost row is the pole itself
+};
+}
+#endif
