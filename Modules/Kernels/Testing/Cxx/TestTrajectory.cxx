@@ -240,7 +240,7 @@ TEST(Trajectory, AnyCourantNumberStaysOnTheSphere)
 TEST(Trajectory, NotANumberInTheWindLeavesTheAirAtRest)
 {
   const HorizontalGrid grid = globe(16, 8);
-  std::vector<float> wind(3 * 16 * 8, std::nanf(""));
+  std::vector<float> wind(std::size_t(3 * 16 * 8), std::nanf(""));
   WindPair pair;
   pair.grid = &grid;
   pair.velocity[0] = pair.velocity[1] = wind.data();
