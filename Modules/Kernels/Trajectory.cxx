@@ -138,7 +138,7 @@ void levelVelocity(int n, const double* height, const double* following, double*
   }
 }
 
-void measureWind(const HorizontalGrid& grid, int levels, double radius, const float* velocity,
+void measureWind(const ColumnGrid& grid, int levels, double radius, const float* velocity,
   double& speed, double& strain)
 {
   const int nx = grid.columns();

@@ -5,7 +5,7 @@
  *
  *     dx/dt = v(x, s, t)      ds/dt = c(x, s, t)                                                 x(t1) = where it is
  *
- * x is the horizontal position (HorizontalGrid), s the level as a real number, 0 the first; so a parcel stays on its level
+ * x is the horizontal position (ColumnGrid), s the level as a real number, 0 the first; so a parcel stays on its level
  * surface, whatever that surface's height, where c = 0. On the sphere x is a unit vector and v, in Cartesian components,
  * moves it by v / R; after each stage it is put back on the sphere, so that no latitude is special. Between the two given
  * times v and c are linear in time; forward (t1 < t0) and backward alike.
@@ -16,12 +16,12 @@
  * is smooth: piecewise linear wind limits both to about 2, cubic to about 4. Stable for any step: no position leaves the
  * grid; steps are divided until the estimated error is below a tolerance (substepsFor).
  *
- * @sa HorizontalGrid, vtkCloudTextureAdvection, TestTrajectory.cxx
+ * @sa ColumnGrid, vtkCloudTextureAdvection, TestTrajectory.cxx
  */
 #ifndef Trajectory_h
 #define Trajectory_h
 
-#include "HorizontalGrid.h"
+#include "ColumnGrid.h"
 
 #include <cstddef>
 
@@ -36,7 +36,7 @@ enum class Integrator
 /// Wind at two times on a grid of levels. Arrays are borrowed; where what is read from them is not finite, the air is at rest.
 struct WindPair
 {
-  const HorizontalGrid* grid = nullptr;
+  const ColumnGrid* grid = nullptr;
   int levels = 1;
   double radius = 6371229; ///< of the sphere, m; not used in a plane
   const float* velocity
@@ -126,7 +126,7 @@ int substepsFor(
 void levelVelocity(int n, const double* height, const double* following, double* velocity);
 
 /// The largest speed [m/s] and strain rate [1/s] of a wind field: differences of neighbours over their distance.
-void measureWind(const HorizontalGrid& grid, int levels, double radius, const float* velocity,
+void measureWind(const ColumnGrid& grid, int levels, double radius, const float* velocity,
   double& speed, double& strain);
 }
 #endif

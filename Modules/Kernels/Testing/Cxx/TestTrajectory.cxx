@@ -15,7 +15,7 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr double Day = 86400;
 constexpr double Radius = 6.37122e6; // Williamson et al. 1992
 
-HorizontalGrid globe(int nx, int ny)
+ColumnGrid globe(int nx, int ny)
 {
   std::vector<double> lon;
   std::vector<double> lat;
@@ -27,12 +27,12 @@ HorizontalGrid globe(int nx, int ny)
   {
     lat.push_back(-Pi / 2 + Pi * (j + 0.5) / ny);
   }
-  return HorizontalGrid::sphere(lon, lat);
+  return ColumnGrid::sphere(lon, lat);
 }
 
 using Wind = std::function<Vector3(const Vector3&, double)>;
 
-std::vector<float> sample(const HorizontalGrid& grid, const Wind& wind, double time)
+std::vector<float> sample(const ColumnGrid& grid, const Wind& wind, double time)
 {
   std::vector<float> field;
   for (int j = 0; j < grid.rows(); ++j)
@@ -106,8 +106,8 @@ std::vector<Parcel> start(int n)
 }
 
 /// Follow parcels through `intervals` of a wind sampled at their ends; returns positions.
-std::vector<Parcel> journey(const HorizontalGrid& grid, const Wind& wind,
-  std::vector<Parcel> parcels, double t0, double t1, int intervals, const TrajectoryScheme& scheme)
+std::vector<Parcel> journey(const ColumnGrid& grid, const Wind& wind, std::vector<Parcel> parcels,
+  double t0, double t1, int intervals, const TrajectoryScheme& scheme)
 {
   for (int n = 0; n < intervals; ++n)
   {
@@ -144,7 +144,7 @@ const TrajectoryScheme Best{ Integrator::RungeKutta4, Interpolation::Cubic, 1 };
 
 TEST(Trajectory, SolidRotationReturnsAfterTwelveDaysWithinATenthOfACell)
 {
-  const HorizontalGrid grid = globe(128, 64);
+  const ColumnGrid grid = globe(128, 64);
   const std::vector<Parcel> parcels = start(300);
   for (const double alpha : { 0.0, Pi / 4, Pi / 2 - 0.05 })
   {
@@ -156,7 +156,7 @@ TEST(Trajectory, SolidRotationReturnsAfterTwelveDaysWithinATenthOfACell)
 TEST(Trajectory, OrderInTheStepIsTheIntegrators)
 {
   // A fine grid, so that the step is what counts; a steady deformation against many small steps.
-  const HorizontalGrid grid = globe(256, 128);
+  const ColumnGrid grid = globe(256, 128);
   const Wind steady = [](const Vector3& p, double) { return deformation(2)(p, 0); };
   const std::vector<Parcel> parcels = start(100);
   const auto orderOf = [&](Integrator integrator, int steps)
@@ -181,8 +181,8 @@ TEST(Trajectory, DeformationalFlowsBringEveryParcelBack)
   const std::vector<Parcel> parcels = start(200);
   for (int number = 1; number <= 4; ++number)
   {
-    const HorizontalGrid coarse = globe(64, 32);
-    const HorizontalGrid fine = globe(128, 64);
+    const ColumnGrid coarse = globe(64, 32);
+    const ColumnGrid fine = globe(128, 64);
     const double first = largestDistance(
       journey(coarse, deformation(number), parcels, 0, 12 * Day, 96, Best), parcels);
     const double second =
@@ -194,7 +194,7 @@ TEST(Trajectory, DeformationalFlowsBringEveryParcelBack)
 
 TEST(Trajectory, ForwardAndBackEndsAtTheStart)
 {
-  const HorizontalGrid grid = globe(64, 32);
+  const ColumnGrid grid = globe(64, 32);
   const std::vector<float> wind = sample(grid, deformation(2), 0);
   WindPair pair;
   pair.grid = &grid;
@@ -212,7 +212,7 @@ TEST(Trajectory, ForwardAndBackEndsAtTheStart)
 
 TEST(Trajectory, AnyCourantNumberStaysOnTheSphere)
 {
-  const HorizontalGrid grid = globe(64, 32);
+  const ColumnGrid grid = globe(64, 32);
   const double cell = 2 * Pi * Radius / 64;
   for (const double courant : { 0.0, 0.1, 1.0, 10.0, 50.0, 1e6 })
   {
@@ -239,7 +239,7 @@ TEST(Trajectory, AnyCourantNumberStaysOnTheSphere)
 
 TEST(Trajectory, NotANumberInTheWindLeavesTheAirAtRest)
 {
-  const HorizontalGrid grid = globe(16, 8);
+  const ColumnGrid grid = globe(16, 8);
   std::vector<float> wind(std::size_t(3 * 16 * 8), std::nanf(""));
   WindPair pair;
   pair.grid = &grid;
@@ -253,7 +253,7 @@ TEST(Trajectory, NotANumberInTheWindLeavesTheAirAtRest)
 TEST(Trajectory, WindThatChangesLinearlyInTimeIsFollowedExactly)
 {
   // In a plane: u = 10 + 2 t; back from t = 4 to 0 is 40 + 16 m.
-  const HorizontalGrid grid = HorizontalGrid::plane({ -500, 0, 500 }, { -10, 10 });
+  const ColumnGrid grid = ColumnGrid::plane({ -500, 0, 500 }, { -10, 10 });
   std::vector<float> first;
   std::vector<float> second;
   for (int n = 0; n < 6; ++n)
@@ -323,7 +323,7 @@ TEST(Trajectory, SubstepsGrowWithStrainAndShrinkWithOrder)
   EXPECT_LT(substepsFor(Integrator::RungeKutta4, six, 50, 1e-4, 100), second);
   EXPECT_EQ(substepsFor(Integrator::RungeKutta2, six, 300, 1, 1e-3), 64);
   // The estimate bounds the error of a rotation, whose strain rate is its angular velocity.
-  const HorizontalGrid grid = globe(128, 64);
+  const ColumnGrid grid = globe(128, 64);
   const std::vector<float> wind = sample(grid, rotation(0.3), 0);
   double speed = 0;
   double strain = 0;

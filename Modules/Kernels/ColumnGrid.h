@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file HorizontalGrid.h
+ * @file ColumnGrid.h
  * @brief Where the columns of a grid stand, on a sphere or in a plane, and which of them a position is read from.
  *
  * A position is a Vector3: a direction (unit vector) on the sphere, metres (x, y, 0) in the plane. Fields on the sphere
@@ -9,8 +9,8 @@
  *
  * Column (i, j) of the grid has number i + columns() * j, as the points of one level of a vtkStructuredGrid.
  */
-#ifndef HorizontalGrid_h
-#define HorizontalGrid_h
+#ifndef ColumnGrid_h
+#define ColumnGrid_h
 
 #include "Vector3.h"
 
@@ -35,17 +35,17 @@ struct ColumnStencil
   std::array<double, 16> weight;
 };
 
-class HorizontalGrid
+class ColumnGrid
 {
 public:
-  HorizontalGrid() = default;
+  ColumnGrid() = default;
   /**
    * Rows of latitude and columns of longitude, radians, each strictly monotonic, at least one each. Longitudes that span
    * the circle, with or without a closing column, are periodic; rows that come within 1.5 spacings of a pole go over it.
    */
-  static HorizontalGrid sphere(std::vector<double> longitudes, std::vector<double> latitudes);
+  static ColumnGrid sphere(std::vector<double> longitudes, std::vector<double> latitudes);
   /// Rows of y and columns of x, metres, each strictly monotonic, at least one each.
-  static HorizontalGrid plane(std::vector<double> x, std::vector<double> y);
+  static ColumnGrid plane(std::vector<double> x, std::vector<double> y);
 
   bool isSphere() const { return this->Sphere; }
   bool isPeriodic() const { return this->Periodic; }

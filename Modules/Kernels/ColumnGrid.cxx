@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "HorizontalGrid.h"
+#include "ColumnGrid.h"
 
 #include <algorithm>
 #include <limits>
@@ -27,7 +27,7 @@ void setWeights(Nodes& nodes, const std::array<double, 4>& at, double place)
 }
 }
 
-void HorizontalGrid::Axis::set(std::vector<double> values)
+void ColumnGrid::Axis::set(std::vector<double> values)
 {
   this->Values = std::move(values);
   const int n = static_cast<int>(this->Values.size());
@@ -51,7 +51,7 @@ void HorizontalGrid::Axis::set(std::vector<double> values)
   }
 }
 
-int HorizontalGrid::Axis::interval(double at) const
+int ColumnGrid::Axis::interval(double at) const
 {
   const int n = static_cast<int>(this->Values.size());
   const double bin = std::min(std::max((at - this->First) * this->Scale, 0.0), n - 1.0);
@@ -67,9 +67,9 @@ int HorizontalGrid::Axis::interval(double at) const
   return k;
 }
 
-HorizontalGrid HorizontalGrid::sphere(std::vector<double> longitudes, std::vector<double> latitudes)
+ColumnGrid ColumnGrid::sphere(std::vector<double> longitudes, std::vector<double> latitudes)
 {
-  HorizontalGrid grid;
+  ColumnGrid grid;
   grid.Sphere = true;
   grid.X.set(std::move(longitudes));
   grid.Y.set(std::move(latitudes));
@@ -95,15 +95,15 @@ HorizontalGrid HorizontalGrid::sphere(std::vector<double> longitudes, std::vecto
   return grid;
 }
 
-HorizontalGrid HorizontalGrid::plane(std::vector<double> x, std::vector<double> y)
+ColumnGrid ColumnGrid::plane(std::vector<double> x, std::vector<double> y)
 {
-  HorizontalGrid grid;
+  ColumnGrid grid;
   grid.X.set(std::move(x));
   grid.Y.set(std::move(y));
   return grid;
 }
 
-Vector3 HorizontalGrid::position(int i, int j) const
+Vector3 ColumnGrid::position(int i, int j) const
 {
   const double x = this->X.Values[i];
   const double y = this->Y.Values[j];
@@ -111,7 +111,7 @@ Vector3 HorizontalGrid::position(int i, int j) const
                       : Vector3{ x, y, 0 };
 }
 
-HorizontalGrid::Nodes HorizontalGrid::nodesOfLongitude(double x, Interpolation interpolation) const
+ColumnGrid::Nodes ColumnGrid::nodesOfLongitude(double x, Interpolation interpolation) const
 {
   const int n = this->columns();
   Nodes nodes;
@@ -161,7 +161,7 @@ HorizontalGrid::Nodes HorizontalGrid::nodesOfLongitude(double x, Interpolation i
   return nodes;
 }
 
-double HorizontalGrid::rowValue(int row) const
+double ColumnGrid::rowValue(int row) const
 {
   const int n = this->rows();
   if (row < 0)
@@ -175,7 +175,7 @@ double HorizontalGrid::rowValue(int row) const
   return this->Y.rising(row);
 }
 
-HorizontalGrid::Nodes HorizontalGrid::nodesOfRow(double y, Interpolation interpolation) const
+ColumnGrid::Nodes ColumnGrid::nodesOfRow(double y, Interpolation interpolation) const
 {
   const int n = this->rows();
   Nodes nodes;
@@ -215,7 +215,7 @@ HorizontalGrid::Nodes HorizontalGrid::nodesOfRow(double y, Interpolation interpo
   return nodes;
 }
 
-void HorizontalGrid::locate(
+void ColumnGrid::locate(
   const Vector3& position, Interpolation interpolation, ColumnStencil& stencil) const
 {
   double x = position[0];
@@ -256,7 +256,7 @@ void HorizontalGrid::locate(
   }
 }
 
-double HorizontalGrid::smallestSpacing() const
+double ColumnGrid::smallestSpacing() const
 {
   double spacing = std::numeric_limits<double>::infinity();
   for (int j = 0; j + 1 < this->rows(); ++j)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "HorizontalGrid.h"
+#include "ColumnGrid.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <functional>
 #include <random>
 
+using nephoscope::ColumnGrid;
 using nephoscope::ColumnStencil;
-using nephoscope::HorizontalGrid;
 using nephoscope::Interpolation;
 using nephoscope::Vector3;
 
@@ -50,7 +50,7 @@ double smooth(const Vector3& p)
   return std::exp(p[0]) * (1 + p[1] * p[2]) + std::sin(2 * p[2] + p[1]);
 }
 
-double error(const HorizontalGrid& grid, Interpolation interpolation,
+double error(const ColumnGrid& grid, Interpolation interpolation,
   const std::vector<Vector3>& places, const std::function<double(const Vector3&)>& field)
 {
   double largest = 0;
@@ -87,14 +87,14 @@ std::vector<Vector3> placesOnSphere()
 }
 }
 
-TEST(HorizontalGrid, OrdersOfInterpolationHoldOnTheWholeSphereForEveryLayout)
+TEST(ColumnGrid, OrdersOfInterpolationHoldOnTheWholeSphereForEveryLayout)
 {
   const std::vector<Vector3> places = placesOnSphere();
   for (int layout = 0; layout < 16; ++layout)
   {
     const auto gridOf = [layout](int n)
     {
-      return HorizontalGrid::sphere(
+      return ColumnGrid::sphere(
         longitudes(2 * n, layout & 1 ? -Pi : 0.3, (layout & 2) != 0, (layout & 8) != 0),
         latitudes(n, (layout & 4) != 0, (layout & 8) != 0));
     };
@@ -108,10 +108,10 @@ TEST(HorizontalGrid, OrdersOfInterpolationHoldOnTheWholeSphereForEveryLayout)
   }
 }
 
-TEST(HorizontalGrid, CubicsInThePlaneAreReadExactly)
+TEST(ColumnGrid, CubicsInThePlaneAreReadExactly)
 {
   // Unequal spacing, descending rows.
-  const HorizontalGrid grid = HorizontalGrid::plane({ 0, 1, 3, 4, 7, 8 }, { 9, 7, 6, 2, 1 });
+  const ColumnGrid grid = ColumnGrid::plane({ 0, 1, 3, 4, 7, 8 }, { 9, 7, 6, 2, 1 });
   const auto cubic = [](const Vector3& p)
   { return 1 + p[0] * p[0] * p[0] - 2 * p[1] * p[1] * p[1] + p[0] * p[1] * p[1]; };
   std::vector<Vector3> places;
@@ -127,9 +127,9 @@ TEST(HorizontalGrid, CubicsInThePlaneAreReadExactly)
   EXPECT_LT(error(grid, Interpolation::Linear, places, bilinear), 1e-12);
 }
 
-TEST(HorizontalGrid, OutsideTheNearestEdgeIsRead)
+TEST(ColumnGrid, OutsideTheNearestEdgeIsRead)
 {
-  const HorizontalGrid grid = HorizontalGrid::plane({ 0, 1, 2, 3, 4 }, { 0, 2, 4, 6 });
+  const ColumnGrid grid = ColumnGrid::plane({ 0, 1, 2, 3, 4 }, { 0, 2, 4, 6 });
   const auto field = [](const Vector3& p) { return p[0] + 10 * p[1]; };
   for (const Interpolation interpolation : { Interpolation::Linear, Interpolation::Cubic })
   {
@@ -145,9 +145,9 @@ TEST(HorizontalGrid, OutsideTheNearestEdgeIsRead)
   }
 }
 
-TEST(HorizontalGrid, OneColumnIsReadEverywhere)
+TEST(ColumnGrid, OneColumnIsReadEverywhere)
 {
-  const HorizontalGrid grid = HorizontalGrid::plane({ 5 }, { 7 });
+  const ColumnGrid grid = ColumnGrid::plane({ 5 }, { 7 });
   ColumnStencil stencil;
   grid.locate({ -3, 100, 0 }, Interpolation::Cubic, stencil);
   EXPECT_EQ(stencil.count, 1);
