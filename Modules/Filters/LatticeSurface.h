@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file LatticeSurface.h
+ * @brief The vertices of a contour surface on a lattice: position, normal and where the other arrays come from.
+ */
+#ifndef LatticeSurface_h
+#define LatticeSurface_h
+
+#include "CurvilinearGradient.h"
+#include "LatticeGrid.h"
+#include "TetrahedralContour.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace nephoscope
+{
+/// How far from a to b the value lies, 0 to 1.
+inline double crossing(double a, double b, double value)
+{
+  const double t = (value - a) / (b - a);
+  return t >= 0 && t <= 1 ? t : 0.5; // differences beyond a double's range
+}
+
+/**
+ * The unit normal towards lower values. Along its edge the field falls. A gradient may say otherwise a little, for the field need
+ * not be linear; where it is more than 30 degrees off, or zero, its part along the edge is replaced by the edge's slope.
+ * @param towardLower the edge, from its higher to its lower end  @param fall by how much the field falls over it, > 0
+ */
+inline Vector3 outwardNormal(const Vector3& gradient, const Vector3& towardLower, double fall)
+{
+  const double l = length(gradient);
+  if (l > 0 && std::isfinite(l) && dot(gradient, towardLower) <= 0.5 * l * length(towardLower))
+  {
+    return (-1 / l) * gradient;
+  }
+  const Vector3 direction = normalized(towardLower);
+  const double slope = fall / length(towardLower);
+  const Vector3 normal = slope * direction - (gradient - dot(gradient, direction) * direction);
+  if (std::isfinite(dot(normal, normal)) && dot(normal, normal) > 0)
+  {
+    return normalized(normal);
+  }
+  return dot(direction, direction) > 0 ? direction : Vector3{ 0, 0, 1 };
+}
+
+/// A lattice with a field on it: the gradient at a point.
+template <class Points, class T>
+struct LatticeField
+{
+  LatticeShape Shape;
+  const Points& X;
+  const T* Values;
+  const LatticeBits* Usable; ///< points that have a value; null for all
+
+  T value(int i, int j, int k) const { return this->Values[this->id(i, j, k)]; }
+  Index id(int i, int j, int k) const
+  {
+    return i + this->Shape.n[0] * (j + Index(this->Shape.n[1]) * k);
+  }
+  bool usable(const std::array<int, 3>& p) const
+  {
+    return !this->Usable || this->Usable->test(p[1] + Index(p[2]) * this->Shape.n[1], p[0]);
+  }
+
+  /// One step along an axis; the same point where there is none.
+  std::array<int, 3> neighbour(std::array<int, 3> p, int axis, int step) const
+  {
+    const std::array<int, 3> here = p;
+    p[axis] += step;
+    const int last = this->Shape.n[axis] - 1;
+    if (axis == 0 && this->Shape.closed)
+    {
+      p[0] = p[0] < 0 ? last - 1 : p[0] > last ? 1 : p[0];
+    }
+    return p[axis] < 0 || p[axis] > last || !this->usable(p) ? here : p;
+  }
+
+  Vector3 gradient(int i, int j, int k) const
+  {
+    std::array<Vector3, 3> step;
+    std::array<double, 3> change;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const auto a = this->neighbour({ i, j, k }, axis, -1);
+      const auto b = this->neighbour({ i, j, k }, axis, 1);
+      step[axis] = this->X(b[0], b[1], b[2]) - this->X(a[0], a[1], a[2]);
+      change[axis] = static_cast<double>(this->value(b[0], b[1], b[2])) -
+        static_cast<double>(this->value(a[0], a[1], a[2]));
+    }
+    return curvilinearGradient(step, change);
+  }
+};
+
+/// Gradients of a few rows on two levels, each worked out when first asked for.
+template <class Points, class T>
+class GradientCache
+{
+public:
+  /// From row j0, `rows` rows.
+  void start(const LatticeField<Points, T>& field, int j0, int rows)
+  {
+    this->J0 = j0;
+    this->Rows = rows;
+    const std::size_t size = std::size_t(2) * rows * field.Shape.n[0];
+    this->Gradients.resize(size);
+    this->Level.assign(size, -1);
+  }
+  const Vector3& at(const LatticeField<Points, T>& field, int i, int j, int k)
+  {
+    const std::size_t n =
+      i + field.Shape.n[0] * (std::size_t(j - this->J0) + std::size_t(k & 1) * this->Rows);
+    if (this->Level[n] != k)
+    {
+      this->Level[n] = k;
+      this->Gradients[n] = field.gradient(i, j, k);
+    }
+    return this->Gradients[n];
+  }
+
+private:
+  int J0 = 0;
+  int Rows = 0;
+  std::vector<Vector3> Gradients;
+  std::vector<int> Level;
+};
+
+/// Where a level's vertices go.
+template <class Real>
+struct SurfaceVertices
+{
+  Real* Points;
+  float* Normals; ///< null for none
+};
+
+/**
+ * Writes the vertices that the rows j0 to j1 - 1 of all levels own.
+ * @param attach called with (id, from, to, t): the two points of the lattice that a vertex lies between
+ */
+template <class Points, class T, class Attach>
+void writeVertices(const LatticeField<Points, T>& field, const ContourLevel& level, double value,
+  int j0, int j1, GradientCache<Points, T>& cache,
+  const SurfaceVertices<typename Points::Real>& out, Attach&& attach)
+{
+  const auto& n = field.Shape.n;
+  cache.start(field, j0, j1 - j0 + 1);
+  for (int k = 0; k < n[2]; ++k)
+  {
+    for (int j = j0; j < j1; ++j)
+    {
+      const int parity = field.Shape.rowParity(j, k);
+      level.forEachEdge(j + Index(n[1]) * k,
+        [&](Index id, int i, int slot)
+        {
+          const auto ends = edgeEnds(slot, (parity + i) & 1);
+          const int a[3] = { i + (ends[0] & 1), j + (ends[0] >> 1 & 1), k + (ends[0] >> 2) };
+          const int b[3] = { i + (ends[1] & 1), j + (ends[1] >> 1 & 1), k + (ends[1] >> 2) };
+          const double fa = static_cast<double>(field.value(a[0], a[1], a[2]));
+          const double fb = static_cast<double>(field.value(b[0], b[1], b[2]));
+          const double t = crossing(fa, fb, value);
+          const Vector3 xa = field.X(a[0], a[1], a[2]);
+          const Vector3 edge = field.X(b[0], b[1], b[2]) - xa;
+          const Vector3 x = xa + t * edge;
+          for (int c = 0; c < 3; ++c)
+          {
+            out.Points[3 * id + c] = static_cast<typename Points::Real>(x[c]);
+          }
+          if (out.Normals)
+          {
+            const Vector3& ga = cache.at(field, a[0], a[1], a[2]);
+            const Vector3& gb = cache.at(field, b[0], b[1], b[2]);
+            const Vector3 normal =
+              outwardNormal((1 - t) * ga + t * gb, fa > fb ? edge : -1.0 * edge, std::abs(fa - fb));
+            for (int c = 0; c < 3; ++c)
+            {
+              out.Normals[3 * id + c] = static_cast<float>(normal[c]);
+            }
+          }
+          attach(id, field.id(a[0], a[1], a[2]), field.id(b[0], b[1], b[2]), t);
+        });
+    }
+  }
+}
+
+/// Whether most cells (of up to 4096, evenly taken) have their i, j, k left-handed in space.
+template <class Points>
+bool leftHanded(const LatticeShape& shape, const Points& x)
+{
+  const Index cells = Index(shape.n[0] - 1) * (shape.n[1] - 1) * (shape.n[2] - 1);
+  const Index stride = std::max<Index>(cells / 4096, 1);
+  Index balance = 0;
+  for (Index cell = 0; cell < cells; cell += stride)
+  {
+    const int i = static_cast<int>(cell % (shape.n[0] - 1));
+    const int j = static_cast<int>(cell / (shape.n[0] - 1) % (shape.n[1] - 1));
+    const int k = static_cast<int>(cell / (shape.n[0] - 1) / (shape.n[1] - 1));
+    // From the middle tetrahedron, which has volume in a cell that is collapsed at one corner or edge.
+    const TetrahedronVertices& t = TetrahedralSplit[splitParity(i, j, k)][0];
+    Vector3 p[4];
+    for (int c = 0; c < 4; ++c)
+    {
+      p[c] = x(i + (t[c] & 1), j + (t[c] >> 1 & 1), k + (t[c] >> 2));
+    }
+    const double volume = dot(p[1] - p[0], cross(p[2] - p[0], p[3] - p[0]));
+    balance += volume < 0 ? -1 : volume > 0 ? 1 : 0;
+  }
+  return balance < 0;
+}
+}
+#endif

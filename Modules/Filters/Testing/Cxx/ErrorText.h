@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ErrorText_h
+#define ErrorText_h
+
+#include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkExecutive.h"
+#include "vtkNew.h"
+
+#include <string>
+
+/// Updates an algorithm and returns what it reports as errors and warnings.
+inline std::string errorTextOf(vtkAlgorithm* algorithm)
+{
+  std::string text;
+  vtkNew<vtkCallbackCommand> note;
+  note->SetClientData(&text);
+  note->SetCallback([](vtkObject*, unsigned long, void* client, void* data)
+    { *static_cast<std::string*>(client) += static_cast<const char*>(data); });
+  const unsigned long error = algorithm->AddObserver(vtkCommand::ErrorEvent, note);
+  const unsigned long warning = algorithm->AddObserver(vtkCommand::WarningEvent, note);
+  const unsigned long executive =
+    algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, note);
+  algorithm->Update();
+  algorithm->RemoveObserver(error);
+  algorithm->RemoveObserver(warning);
+  algorithm->GetExecutive()->RemoveObserver(executive);
+  return text;
+}
+#endif
