@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OutputFile.h"
+
+#include "Failure.h"
+
+#include <algorithm>
+#include <cctype>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+#include <unistd.h>
+
+namespace nephoscope::program
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+// All that a signal handler may touch.
+volatile std::sig_atomic_t writing = 0;
+volatile std::sig_atomic_t pending = 0;
+
+[[noreturn]] void leave(int signal)
+{
+  const std::string_view text =
+    ::isatty(STDERR_FILENO) ? "\r\033[Knephoscope: interrupted\n" : "nephoscope: interrupted\n";
+  // Nothing can be done if standard error cannot be written.
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
+  ::_exit(128 + signal);
+}
+
+extern "C" void onInterrupt(int signal)
+{
+  if (!writing)
+  {
+    leave(signal);
+  }
+  pending = signal;
+}
+}
+
+OutputFile::OutputFile(const std::string& path)
+  : Path(path)
+{
+  std::error_code error;
+  // A link's target is replaced, not the link.
+  const fs::path target = fs::weakly_canonical(fs::absolute(path), error);
+  if (error || !fs::is_directory(target.parent_path(), error))
+  {
+    throw Failure(path + ": there is no folder " + fs::absolute(path).parent_path().string() +
+      " to write into; create it first");
+  }
+  if (fs::exists(target, error) && !fs::is_regular_file(target, error))
+  {
+    throw Failure(path + ": is not a regular file; give the name of a file to write");
+  }
+  if (::access(target.parent_path().c_str(), W_OK) != 0)
+  {
+    throw Failure(path + ": the folder " + target.parent_path().string() + " cannot be written");
+  }
+  this->Path = target.string();
+  this->Partial = (target.parent_path() /
+    ("." + target.stem().string() + "." + std::to_string(::getpid()) + target.extension().string()))
+                    .string();
+  writing = 1;
+}
+
+OutputFile::~OutputFile()
+{
+  std::error_code ignored;
+  fs::remove(this->Partial, ignored);
+  writing = 0;
+  if (pending)
+  {
+    leave(pending);
+  }
+}
+
+void OutputFile::commit()
+{
+  if (pending)
+  {
+    return;
+  }
+  std::error_code error;
+  fs::rename(this->Partial, this->Path, error);
+  if (error)
+  {
+    throw Failure(this->Path + ": cannot be written: " + error.message());
+  }
+}
+
+std::string extensionOf(const std::string& path)
+{
+  std::string extension = fs::path(path).extension().string();
+  extension.erase(0, 1);
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+void writeText(const std::string& path, const std::string& text)
+{
+  OutputFile file(path);
+  std::ofstream stream(file.partial(), std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream)
+  {
+    throw Failure(path + ": cannot be written; is the disk full?");
+  }
+  file.commit();
+}
+
+void handleInterrupts()
+{
+  struct sigaction action = {};
+  action.sa_handler = onInterrupt;
+  for (const int signal : { SIGINT, SIGTERM, SIGHUP })
+  {
+    sigaction(signal, &action, nullptr);
+  }
+}
+}

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Scene.h
+ * @brief What a picture is made of, as a scene file or the command line says it.
+ *
+ * Plain values; SceneKeys.h says how a file spells them, with units and ranges. What is optional and not given is chosen
+ * from the data when the scene is built.
+ */
+#ifndef Scene_h
+#define Scene_h
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace nephoscope::program
+{
+using Triple = std::array<double, 3>;
+
+struct Picture
+{
+  std::array<int, 2> size{ 1024, 768 };
+  double exposure = 0;
+};
+
+struct Data
+{
+  std::string file;
+  std::optional<std::string> time;
+  std::string geometry = "automatic";
+  std::optional<double> exaggeration;
+  std::map<std::string, std::string> variables;
+};
+
+struct CameraView
+{
+  std::optional<double> longitude; ///< globe: over which the eye stands
+  std::optional<double> latitude;
+  std::optional<double> bearing; ///< map, local: from the data's middle to the eye
+  std::optional<double> elevation;
+  std::optional<double> distance;
+  std::optional<Triple> position;
+  std::optional<Triple> target;
+  std::optional<Triple> up;
+  double viewAngle = 30;
+};
+
+struct Light
+{
+  std::optional<Triple> towardSun;
+  double ambient = 0.3;
+};
+
+struct Backdrop
+{
+  std::optional<Triple> zenith;
+  std::optional<Triple> horizon;
+  std::optional<Triple> nadir;
+};
+
+/// A smoothly shaded surface of one cloudiness: Max 1994, figure 5.
+struct SurfaceBody
+{
+  double value = 0.15;
+  double smoothing = 1;
+  double opacity = 1;
+  Triple color{ 1, 1, 1 };
+};
+
+/// The same with a transparency texture: Max 1994, figure 6.
+struct TextureBody : SurfaceBody
+{
+  std::optional<double> wavelength;
+  int octaves = 7;
+  double offset = 0.22;
+  double threshold = 0.03;
+  double rimThreshold = 0.5;
+  double range = 0.25;
+  int seed = 1;
+};
+
+/// Grid cells as volumes: Max 1994, figure 7.
+struct VolumeBody
+{
+  std::string quantity = "automatic";
+  double extinction = 1;
+  double scale = 1;
+  double liquidRadius = 10;
+  double iceRadius = 30;
+  Triple color{ 1, 1, 1 };
+};
+
+/// The planet's surface.
+struct Ground
+{
+  Triple seaColor{ 0.014, 0.042, 0.1 };
+  Triple landColor{ 0.13, 0.12, 0.065 };
+  double graticule = 0;
+};
+struct GlobeBody : Ground
+{
+};
+struct PlaneBody : Ground
+{
+  double height = 0;
+};
+
+using Body = std::variant<SurfaceBody, TextureBody, VolumeBody, GlobeBody, PlaneBody>;
+
+/// Haze of one density everywhere.
+struct UniformMedium
+{
+  double extinction = 0;
+  Triple color{ 0.7, 0.8, 1 };
+};
+
+using Medium = std::variant<UniformMedium>;
+
+struct Scene
+{
+  Picture picture;
+  Data data;
+  CameraView camera;
+  Light light;
+  Backdrop backdrop;
+  std::vector<Body> bodies;
+  std::vector<Medium> media;
+};
+
+/// The scene of a style for a data file: surface, texture or volume, with ground under it.
+Scene sceneOfStyle(const std::string& style, const std::string& dataFile);
+
+/// @throw UsageFailure for what a scene cannot be, such as a scene without data
+void validate(const Scene& scene, const std::string& name);
+}
+#endif

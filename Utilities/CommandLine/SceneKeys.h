@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SceneKeys.h
+ * @brief The one table of a scene file's keys: spelling, unit, range and meaning of each, and the value it fills.
+ *
+ * visitKeys(part, visitor) calls visitor(Key, value) for each key of a part of the scene. The parser reads through it, the
+ * reference is printed from it.
+ */
+#ifndef SceneKeys_h
+#define SceneKeys_h
+
+#include "Scene.h"
+
+#include <limits>
+
+namespace nephoscope::program
+{
+struct Key
+{
+  const char* name;
+  const char* unit;
+  const char* meaning;
+  const char* initial; ///< the default, in words
+  double least = -std::numeric_limits<double>::max();
+  double most = std::numeric_limits<double>::max();
+  std::vector<std::string> choices = {};
+};
+
+template <class Visitor>
+void visitKeys(Picture& picture, Visitor&& visit)
+{
+  visit(Key{ "size", "pixels", "width and height", "[1024, 768]", 1, 32768 }, picture.size);
+  visit(
+    Key{ "exposure", "stops", "each stop doubles the brightness", "0", -30, 30 }, picture.exposure);
+}
+
+template <class Visitor>
+void visitKeys(Data& data, Visitor&& visit)
+{
+  visit(Key{ "file", "", "NetCDF file, relative to the scene file", "required" }, data.file);
+  visit(Key{ "time", "", "ISO 8601 date, seconds on the file's time axis, or index from 0", "0" },
+    data.time);
+  visit(Key{ "geometry", "", "how the grid lies in the scene", "automatic", {}, {},
+          { "automatic", "map", "globe", "local" } },
+    data.geometry);
+  visit(Key{ "exaggeration", "1", "factor on heights", "from the data's extent", 1e-3, 1e4 },
+    data.exaggeration);
+  visit(Key{ "variables", "", "the variable of a role, such as CloudFraction: CLDTOT",
+          "found by standard name" },
+    data.variables);
+}
+
+template <class Visitor>
+void visitKeys(CameraView& camera, Visitor&& visit)
+{
+  visit(Key{ "longitude", "degrees", "globe: meridian under the eye", "from the data", -360, 360 },
+    camera.longitude);
+  visit(Key{ "latitude", "degrees", "globe: parallel under the eye", "from the data", -90, 90 },
+    camera.latitude);
+  visit(Key{ "bearing", "degrees",
+          "map, local: compass direction from the data's middle to the eye", "155", -360, 360 },
+    camera.bearing);
+  visit(
+    Key{ "elevation", "degrees", "map, local: of the eye over the data's middle", "25", -90, 90 },
+    camera.elevation);
+  visit(
+    Key{ "distance", "1",
+      "globe: of the eye from the centre, planet radii; map, local: 1 is where all the data fit",
+      "all fits", 1e-3, 1e6 },
+    camera.distance);
+  visit(Key{ "position", "scene units", "the eye, instead of the above", "from the above" },
+    camera.position);
+  visit(Key{ "target", "scene units", "point in the picture's middle", "the data's middle" },
+    camera.target);
+  visit(Key{ "up", "", "direction that points up in the picture", "[0, 0, 1]" }, camera.up);
+  visit(Key{ "viewAngle", "degrees", "vertical angle of view", "30", 0.01, 170 }, camera.viewAngle);
+}
+
+template <class Visitor>
+void visitKeys(Light& light, Visitor&& visit)
+{
+  visit(Key{ "towardSun", "", "direction to the sun in the scene", "over the eye's left shoulder" },
+    light.towardSun);
+  visit(
+    Key{ "ambient", "1", "the sky's share of the light on surfaces", "0.3", 0, 1 }, light.ambient);
+}
+
+template <class Visitor>
+void visitKeys(Backdrop& backdrop, Visitor&& visit)
+{
+  visit(Key{ "zenith", "linear RGB", "radiance overhead", "by geometry", 0 }, backdrop.zenith);
+  visit(
+    Key{ "horizon", "linear RGB", "radiance at the horizon", "by geometry", 0 }, backdrop.horizon);
+  visit(Key{ "nadir", "linear RGB", "radiance below", "by geometry", 0 }, backdrop.nadir);
+}
+
+template <class Visitor>
+void visitKeys(SurfaceBody& body, Visitor&& visit)
+{
+  visit(Key{ "value", "1", "cloud fraction of the surface", "0.15", 0, 1 }, body.value);
+  visit(Key{ "smoothing", "grid steps", "radius of the filter before contouring; 0 for none", "1",
+          0, 100 },
+    body.smoothing);
+  visit(Key{ "opacity", "1", "largest opacity", "1", 0, 1 }, body.opacity);
+  visit(Key{ "color", "linear RGB", "reflectance", "[1, 1, 1]", 0, 1 }, body.color);
+}
+
+template <class Visitor>
+void visitKeys(TextureBody& body, Visitor&& visit)
+{
+  visitKeys(static_cast<SurfaceBody&>(body), visit);
+  visit(Key{ "wavelength", "km", "longest wave of the texture", "5 grid steps", 1e-3, 1e5 },
+    body.wavelength);
+  visit(Key{ "octaves", "1", "number of waves, each half as long as the last", "7", 1, 8 },
+    body.octaves);
+  visit(Key{ "offset", "1", "T0: large fills the gaps", "0.22", 0, 10 }, body.offset);
+  visit(
+    Key{ "threshold", "1", "T1: the texture below it is clear", "0.03", -1, 1 }, body.threshold);
+  visit(Key{ "rimThreshold", "1",
+          "T2: takes the threshold's place towards the outline, and frays it", "0.5", -1, 1 },
+    body.rimThreshold);
+  visit(
+    Key{ "range", "1", "D: from clear to opaque; large is soft", "0.25", 1e-6, 10 }, body.range);
+  visit(
+    Key{ "seed", "", "makes textures with equal parameters different", "1", 0, 1e9 }, body.seed);
+}
+
+template <class Visitor>
+void visitKeys(VolumeBody& body, Visitor&& visit)
+{
+  visit(Key{ "quantity", "", "what makes the cloud dense", "fraction if the file has it", {}, {},
+          { "automatic", "fraction", "condensate" } },
+    body.quantity);
+  visit(Key{ "extinction", "1/km", "of a cloud fraction of 1", "1", 0, 1e6 }, body.extinction);
+  visit(
+    Key{ "scale", "1", "factor on the extinction of either quantity", "1", 0, 1e6 }, body.scale);
+  visit(
+    Key{ "liquidRadius", "um", "effective radius of droplets", "10", 0.1, 1e4 }, body.liquidRadius);
+  visit(
+    Key{ "iceRadius", "um", "effective radius of ice crystals", "30", 0.1, 1e4 }, body.iceRadius);
+  visit(
+    Key{ "color", "linear RGB", "radiance of cloud that nothing shines through", "[1, 1, 1]", 0 },
+    body.color);
+}
+
+template <class Visitor>
+void visitKeys(Ground& ground, Visitor&& visit)
+{
+  visit(
+    Key{ "seaColor", "linear RGB", "reflectance", "[0.014, 0.042, 0.1]", 0, 1 }, ground.seaColor);
+  visit(
+    Key{ "landColor", "linear RGB", "reflectance", "[0.13, 0.12, 0.065]", 0, 1 }, ground.landColor);
+  visit(Key{ "graticule", "degrees", "meridians and parallels at multiples of this; 0 for none",
+          "0", 0, 90 },
+    ground.graticule);
+}
+
+template <class Visitor>
+void visitKeys(GlobeBody& body, Visitor&& visit)
+{
+  visitKeys(static_cast<Ground&>(body), visit);
+}
+
+template <class Visitor>
+void visitKeys(PlaneBody& body, Visitor&& visit)
+{
+  visitKeys(static_cast<Ground&>(body), visit);
+  visit(Key{ "height", "m", "above sea level", "0", -1e5, 1e5 }, body.height);
+}
+
+template <class Visitor>
+void visitKeys(UniformMedium& medium, Visitor&& visit)
+{
+  visit(Key{ "extinction", "1/km", "optical depth of a kilometre of the scene", "0", 0, 1e6 },
+    medium.extinction);
+  visit(Key{ "color", "linear RGB", "radiance of an endless depth of it", "[0.7, 0.8, 1]", 0 },
+    medium.color);
+}
+
+/// The types of a body or a medium by the name that a file's key "type" gives them.
+template <class Visitor>
+void visitTypes(Body*, Visitor&& visit)
+{
+  visit("surface", "smoothly shaded surface of one cloud fraction", SurfaceBody());
+  visit("texture", "such a surface with a transparency texture", TextureBody());
+  visit("volume", "grid cells as volumes", VolumeBody());
+  visit("globe", "the planet, opaque", GlobeBody());
+  visit("plane", "flat ground or sea, opaque", PlaneBody());
+}
+
+template <class Visitor>
+void visitTypes(Medium*, Visitor&& visit)
+{
+  visit("uniform", "haze of one density everywhere", UniformMedium());
+}
+
+/// The sections of a scene file: mappings first, then the lists of typed parts.
+template <class Mapping, class List>
+void visitSections(Scene& scene, Mapping&& mapping, List&& list)
+{
+  mapping("picture", scene.picture);
+  mapping("data", scene.data);
+  mapping("camera", scene.camera);
+  mapping("light", scene.light);
+  mapping("backdrop", scene.backdrop);
+  list("bodies", scene.bodies);
+  list("media", scene.media);
+}
+}
+#endif

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A scene file's keys reach the scene; whatever is wrong with a file is said with its name, its line and the remedy.
+#include "Failure.h"
+#include "SceneFile.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+using namespace nephoscope::program;
+
+namespace
+{
+std::string failureOf(const std::string& text)
+{
+  try
+  {
+    parseScene(text, "folder/scene.yaml");
+  }
+  catch (const UsageFailure& failure)
+  {
+    EXPECT_EQ(std::string(failure.what()).find('\n'), std::string::npos) << "more than one line";
+    return failure.what();
+  }
+  return "no failure";
+}
+
+const char* const Whole = R"(
+picture: { size: [640, 360], exposure: -1.5 }
+data:
+  file: ../data/a.nc
+  time: 2001-10-01T06
+  geometry: globe
+  exaggeration: 25
+  variables: { CloudFraction: CLDTOT, Pressure: p }
+camera: { longitude: -40, latitude: 25, distance: 3, viewAngle: 20, up: [0, 0, 1] }
+light: { towardSun: [1, -1, 0.5] }
+backdrop: { zenith: [0.1, 0.2, 0.4] }
+bodies:
+  - { type: globe, seaColor: [0, 0, 0.1] }
+  - { type: texture, value: 0.3, wavelength: 900, smoothing: 2 }
+  - type: volume
+    quantity: condensate
+media:
+  - { type: uniform, extinction: 0.001 }
+)";
+}
+
+TEST(SceneFile, FillsEveryPart)
+{
+  const Scene scene = parseScene(Whole, "folder/scene.yaml");
+  EXPECT_EQ(scene.picture.size, (std::array<int, 2>{ 640, 360 }));
+  EXPECT_EQ(scene.picture.exposure, -1.5);
+  EXPECT_EQ(scene.data.file, "data/a.nc") << "relative to the scene file";
+  EXPECT_EQ(scene.data.time, "2001-10-01T06");
+  EXPECT_EQ(scene.data.geometry, "globe");
+  EXPECT_EQ(scene.data.exaggeration, 25);
+  EXPECT_EQ(scene.data.variables.at("CloudFraction"), "CLDTOT");
+  EXPECT_EQ(scene.data.variables.size(), 2u);
+  EXPECT_EQ(scene.camera.longitude, -40);
+  EXPECT_EQ(scene.camera.viewAngle, 20);
+  EXPECT_FALSE(scene.camera.position);
+  EXPECT_EQ(scene.light.towardSun, (Triple{ 1, -1, 0.5 }));
+  EXPECT_EQ(scene.backdrop.zenith, (Triple{ 0.1, 0.2, 0.4 }));
+  EXPECT_FALSE(scene.backdrop.nadir);
+  ASSERT_EQ(scene.bodies.size(), 3u);
+  EXPECT_EQ(std::get<GlobeBody>(scene.bodies[0]).seaColor, (Triple{ 0, 0, 0.1 }));
+  EXPECT_EQ(std::get<TextureBody>(scene.bodies[1]).value, 0.3);
+  EXPECT_EQ(std::get<TextureBody>(scene.bodies[1]).wavelength, 900);
+  EXPECT_EQ(std::get<VolumeBody>(scene.bodies[2]).quantity, "condensate");
+  ASSERT_EQ(scene.media.size(), 1u);
+  EXPECT_EQ(std::get<UniformMedium>(scene.media[0]).extinction, 0.001);
+}
+
+TEST(SceneFile, AbsolutePathsStay)
+{
+  EXPECT_EQ(
+    parseScene("data: { file: /a/b.nc }\nbodies: [{ type: surface }]", "folder/s.yaml").data.file,
+    "/a/b.nc");
+}
+
+TEST(SceneFile, UnknownKeysSuggestTheNearest)
+{
+  EXPECT_EQ(failureOf("picture:\n  exposur: 1\n"),
+    "folder/scene.yaml:2: unknown key 'exposur' in 'picture'; did you mean 'exposure'?");
+  EXPECT_EQ(failureOf("data: { file: a }\n\ncamra: {}\n"),
+    "folder/scene.yaml:3: unknown key 'camra' in 'scene'; did you mean 'camera'?");
+  EXPECT_EQ(failureOf("bodies:\n  - type: texture\n    valve: 1\n"),
+    "folder/scene.yaml:3: unknown key 'valve' in 'texture'; did you mean 'value'?");
+  EXPECT_EQ(failureOf("bodies:\n  - type: volum\n"),
+    "folder/scene.yaml:2: 'type' cannot be 'volum'; did you mean 'volume'?");
+  EXPECT_EQ(failureOf("data: { geometry: glob }"),
+    "folder/scene.yaml:1: 'geometry' cannot be 'glob'; did you mean 'globe'?");
+}
+
+TEST(SceneFile, WrongTypesSayWhatIsRight)
+{
+  EXPECT_EQ(failureOf("picture: { exposure: bright }"),
+    "folder/scene.yaml:1: 'exposure' must be a number, in stops");
+  EXPECT_EQ(failureOf("picture: { exposure: .nan }"),
+    "folder/scene.yaml:1: 'exposure' must be a number, in stops");
+  EXPECT_EQ(failureOf("picture: { size: 640 }"),
+    "folder/scene.yaml:1: 'size' must be a list of 2 numbers, in pixels");
+  EXPECT_EQ(failureOf("picture: { size: [640, 2.5] }"),
+    "folder/scene.yaml:1: 'size' must be a whole number");
+  EXPECT_EQ(failureOf("picture: { size: [640, 1e9] }"),
+    "folder/scene.yaml:1: 'size' is 1e+09; it must be from 1 to 32768");
+  EXPECT_EQ(failureOf("data: { variables: cl }"),
+    "folder/scene.yaml:1: 'variables' must be a mapping, ROLE: NAME");
+  EXPECT_EQ(failureOf("camera: 3"), "folder/scene.yaml:1: 'camera' must be a mapping, key: value");
+  EXPECT_EQ(failureOf("bodies: { type: volume }"),
+    "folder/scene.yaml:1: 'bodies' must be a list, each part beginning with '- type: '");
+  EXPECT_EQ(failureOf("bodies: [{ value: 0.1 }]"),
+    "folder/scene.yaml:1: a part of 'bodies' has no 'type'; give one, such as type: surface");
+  EXPECT_EQ(failureOf("bodies: [{ type: surface, value: 1.5 }]"),
+    "folder/scene.yaml:1: 'value' is 1.5; it must be from 0 to 1");
+}
+
+TEST(SceneFile, MalformedFilesAreRefused)
+{
+  EXPECT_EQ(failureOf(""), "folder/scene.yaml: 'scene' must be a mapping, key: value");
+  EXPECT_EQ(failureOf("- 1\n- 2"), "folder/scene.yaml:1: 'scene' must be a mapping, key: value");
+  EXPECT_EQ(failureOf("picture: {\n  size: [1,"),
+    "folder/scene.yaml:2: is not YAML: end of sequence flow not found");
+  EXPECT_EQ(failureOf("picture: { exposure: 1 }\npicture: { exposure: 2 }"),
+    "folder/scene.yaml:2: the key 'picture' stands twice in 'scene'");
+  EXPECT_EQ(failureOf("? [1, 2]\n: 3"), "folder/scene.yaml:1: a key of 'scene' must be a word");
+  EXPECT_EQ(failureOf("picture: {}"),
+    "folder/scene.yaml: there is nothing to draw; add bodies: [{ type: volume }]");
+  EXPECT_EQ(failureOf("bodies: [{ type: volume }]"),
+    "folder/scene.yaml: the bodies need data; add data: { file: NAME.nc }");
+  EXPECT_NE(failureOf(std::string(100000, '[')), "no failure") << "deep nesting";
+}
+
+TEST(SceneFile, MissingFileIsNamed)
+{
+  EXPECT_THROW(
+    {
+      try
+      {
+        readScene("nowhere.yaml");
+      }
+      catch (const Failure& failure)
+      {
+        EXPECT_STREQ(failure.what(), "nowhere.yaml: there is no such scene file");
+        EXPECT_EQ(failure.code(), RunTimeError);
+        throw;
+      }
+    },
+    Failure);
+}
+
+TEST(SceneFile, TheReferenceIsTheProgramsOwn)
+{
+  std::ifstream stream(NEPHOSCOPE_SOURCE_DIR "/Utilities/Doc/scene.md");
+  std::ostringstream document;
+  document << stream.rdbuf();
+  EXPECT_NE(document.str().find(sceneReference()), std::string::npos)
+    << "bring Utilities/Doc/scene.md up to date with: nephoscope render --scene-keys";
+}
