@@ -2,382 +2,33 @@
 #include "vtkCloudContour.h"
 
 #include "CloudArrays.h"
+#include "ContourOutput.h"
+#include "LatticeContour.h"
 #include "LatticeGrid.h"
-#include "LatticeSurface.h"
 #include "TetrahedraSurface.h"
 
 #include "vtkAOSDataArrayTemplate.h"
-#include "vtkArrayListTemplate.h"
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
+#include "vtkDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
-#include "vtkSMPThreadLocal.h"
-#include "vtkSMPTools.h"
-#include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <cmath>
-#include <limits>
-#include <memory>
 #include <string>
+#include <type_traits>
 
 vtkStandardNewMacro(vtkCloudContour);
 
 namespace
 {
-using nephoscope::ContourLevel;
-using nephoscope::Index;
-using nephoscope::LatticeBits;
-using nephoscope::LatticeField;
+using nephoscope::ContourOutput;
+using nephoscope::isHidden;
+using nephoscope::LatticeContour;
 using nephoscope::LatticeShape;
 using nephoscope::OrientedTetrahedron;
 using nephoscope::TetrahedraSurface;
 using nephoscope::Vector3;
-
-/// The output while it is written: arrays of their final size, and the other point arrays to interpolate.
-struct Output
-{
-  vtkSmartPointer<vtkDataArray> Points;
-  vtkSmartPointer<vtkFloatArray> Normals;
-  vtkSmartPointer<vtkDataArray> Field;
-  vtkSmartPointer<vtkDataArray> Connectivity;
-  vtkSmartPointer<vtkDataArray> Offsets;
-  ArrayList Others;
-};
-
-template <class ArrayType>
-vtkSmartPointer<ArrayType> newArray(int components, vtkIdType tuples)
-{
-  auto array = vtkSmartPointer<ArrayType>::New();
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(tuples);
-  return array;
-}
-
-vtkSmartPointer<vtkDataArray> newRealArray(bool isDouble, int components, vtkIdType tuples)
-{
-  if (isDouble)
-  {
-    return newArray<vtkDoubleArray>(components, tuples);
-  }
-  return newArray<vtkFloatArray>(components, tuples);
-}
-
-vtkSmartPointer<vtkDataArray> newIdArray(bool isLong, vtkIdType tuples)
-{
-  if (isLong)
-  {
-    return newArray<vtkTypeInt64Array>(1, tuples);
-  }
-  return newArray<vtkTypeInt32Array>(1, tuples);
-}
-
-void allocate(Output& out, vtkDataSet* input, vtkPolyData* output, vtkDataArray* field,
-  bool doublePoints, bool normals, vtkIdType vertices, vtkIdType triangles)
-{
-  vtkPointData* in = input->GetPointData();
-  vtkPointData* attributes = output->GetPointData();
-  attributes->CopyNormalsOff();
-  attributes->CopyFieldOff(vtkDataSetAttributes::GhostArrayName());
-  if (field->GetName())
-  {
-    attributes->CopyFieldOff(field->GetName());
-  }
-  attributes->InterpolateAllocate(in, vertices);
-  out.Others.ExcludeArray(field);
-  out.Others.AddArrays(vertices, in, attributes);
-
-  out.Points = newRealArray(doublePoints, 3, vertices);
-  out.Field = newRealArray(field->GetDataType() == VTK_DOUBLE, 1, vertices);
-  out.Field->SetName(field->GetName());
-  attributes->SetScalars(out.Field);
-  if (normals)
-  {
-    out.Normals = newArray<vtkFloatArray>(3, vertices);
-    out.Normals->SetName("Normals");
-    attributes->SetNormals(out.Normals);
-  }
-  const bool isLong = 3 * triangles > std::numeric_limits<vtkTypeInt32>::max();
-  out.Connectivity = newIdArray(isLong, 3 * triangles);
-  out.Offsets = newIdArray(isLong, triangles + 1);
-}
-
-/// Calls write(connectivity, offsets) with pointers of the right type.
-template <class F>
-void withIds(Output& out, F&& write)
-{
-  if (auto* small = vtkTypeInt32Array::SafeDownCast(out.Connectivity))
-  {
-    write(small->GetPointer(0), vtkTypeInt32Array::SafeDownCast(out.Offsets)->GetPointer(0));
-  }
-  else
-  {
-    write(vtkTypeInt64Array::SafeDownCast(out.Connectivity)->GetPointer(0),
-      vtkTypeInt64Array::SafeDownCast(out.Offsets)->GetPointer(0));
-  }
-}
-
-void attach(Output& out, vtkPolyData* output)
-{
-  const vtkIdType triangles = out.Offsets->GetNumberOfTuples() - 1;
-  out.Offsets->SetComponent(triangles, 0, static_cast<double>(3 * triangles));
-  vtkNew<vtkPoints> points;
-  points->SetData(out.Points);
-  output->SetPoints(points);
-  vtkNew<vtkCellArray> cells;
-  cells->SetData(out.Offsets, out.Connectivity);
-  output->SetPolys(cells);
-}
-
-template <class T>
-struct ArrayOf;
-template <>
-struct ArrayOf<float>
-{
-  using Type = vtkFloatArray;
-};
-template <>
-struct ArrayOf<double>
-{
-  using Type = vtkDoubleArray;
-};
-
-/// The least T that is not below the value: x >= value as real numbers if and only if x >= this.
-template <class T>
-T threshold(double value)
-{
-  const double largest = std::numeric_limits<T>::max();
-  if (value > largest)
-  {
-    return std::numeric_limits<T>::infinity();
-  }
-  const T near = static_cast<T>(std::max(value, -largest));
-  return near < value ? std::nextafter(near, std::numeric_limits<T>::infinity()) : near;
-}
-
-bool isHidden(vtkUnsignedCharArray* ghosts, vtkIdType id, unsigned char flags)
-{
-  return ghosts && (ghosts->GetValue(id) & flags) != 0;
-}
-
-/// The surfaces of one lattice; its members are the passes, in order.
-template <class Points, class T>
-class LatticeContour
-{
-public:
-  LatticeContour(
-    vtkDataSet* input, const LatticeShape& shape, const Points& points, const T* values)
-    : Input(input)
-    , Shape(shape)
-    , X(points)
-    , Values(values)
-  {
-  }
-
-  /// Notes unusable points and cells, if there are any.
-  void FindUsable()
-  {
-    vtkUnsignedCharArray* pointGhosts = this->Input->GetPointGhostArray();
-    vtkUnsignedCharArray* cellGhosts = this->Input->GetCellGhostArray();
-    if (!pointGhosts && !cellGhosts && this->AllFinite())
-    {
-      return;
-    }
-    this->Usable = std::make_unique<LatticeBits>(this->Shape);
-    this->Cells = std::make_unique<LatticeBits>(this->Shape);
-    const auto& n = this->Shape.n;
-    for (Index row = 0; row < this->Shape.rows(); ++row)
-    {
-      const Index firstCell = row % n[1] + Index(n[1] - 1) * (row / n[1]);
-      const bool hasCells = row % n[1] < n[1] - 1 && row / n[1] < n[2] - 1;
-      for (int i = 0; i < n[0]; ++i)
-      {
-        const nephoscope::Bits bit = nephoscope::Bits(1) << (i % 64);
-        const Index id = row * n[0] + i;
-        if (std::isfinite(this->Values[id]) &&
-          !isHidden(pointGhosts, id, vtkDataSetAttributes::HIDDENPOINT))
-        {
-          this->Usable->row(row)[i / 64] |= bit;
-        }
-        if (hasCells && i < n[0] - 1 &&
-          !isHidden(cellGhosts, firstCell * (n[0] - 1) + i,
-            vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL))
-        {
-          this->Cells->row(row)[i / 64] |= bit;
-        }
-      }
-    }
-    for (Index row = 0; row < this->Shape.rows(); ++row)
-    {
-      restrictToUsablePoints(this->Shape, *this->Usable, row, *this->Cells);
-    }
-  }
-
-  void CloseSeam() { this->Shape.closed = true; }
-
-  /// Whether every row ends with the value and the usability it starts with.
-  bool SeamValuesAgree() const
-  {
-    const int last = this->Shape.n[0] - 1;
-    for (Index row = 0; row < this->Shape.rows(); ++row)
-    {
-      const bool usable = !this->Usable || this->Usable->test(row, 0);
-      const bool usableEnd = !this->Usable || this->Usable->test(row, last);
-      const T* values = this->Values + row * this->Shape.n[0];
-      if (usable != usableEnd || (usable && values[0] != values[last]))
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  void Count(double value)
-  {
-    this->Levels.push_back(std::make_unique<ContourLevel>(this->Shape, this->Cells.get()));
-    this->LevelValues.push_back(value);
-    ContourLevel* level = this->Levels.back().get();
-    const T limit = threshold<T>(value);
-    vtkSMPTools::For(0, this->Shape.rows(),
-      [this, level, limit](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType row = begin; row < end; ++row)
-        {
-          level->classify(row, this->Values + row * this->Shape.n[0], limit);
-        }
-      });
-    vtkSMPTools::For(0, this->Shape.rows(),
-      [level](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType row = begin; row < end; ++row)
-        {
-          level->countRow(row);
-        }
-      });
-    level->accumulate();
-    this->Vertices += level->numberOfVertices();
-    this->Triangles += level->numberOfTriangles();
-  }
-
-  vtkIdType GetNumberOfVertices() const { return this->Vertices; }
-  vtkIdType GetNumberOfTriangles() const { return this->Triangles; }
-
-  void Generate(Output& out)
-  {
-    const bool flip = nephoscope::leftHanded(this->Shape, this->X);
-    vtkIdType firstVertex = 0;
-    vtkIdType firstTriangle = 0;
-    for (std::size_t l = 0; l < this->Levels.size(); ++l)
-    {
-      this->GenerateVertices(out, *this->Levels[l], this->LevelValues[l], firstVertex);
-      withIds(out,
-        [this, l, flip, firstVertex, firstTriangle](auto* ids, auto* offsets) {
-          this->GenerateTriangles(*this->Levels[l], flip, firstVertex, firstTriangle, ids, offsets);
-        });
-      firstVertex += this->Levels[l]->numberOfVertices();
-      firstTriangle += this->Levels[l]->numberOfTriangles();
-    }
-  }
-
-private:
-  bool AllFinite() const
-  {
-    // x * 0 is NaN for what is not finite; four sums so that the additions overlap.
-    T sums[4] = { 0, 0, 0, 0 };
-    const Index count = this->Shape.rows() * this->Shape.n[0];
-    for (Index n = 0; n < count; ++n)
-    {
-      sums[n % 4] += this->Values[n] * T(0);
-    }
-    return sums[0] + sums[1] + sums[2] + sums[3] == 0;
-  }
-
-  void GenerateVertices(Output& out, const ContourLevel& level, double value, vtkIdType first)
-  {
-    using Real = typename Points::Real;
-    using Cache = nephoscope::GradientCache<Points, T>;
-    const LatticeField<Points, T> field{ this->Shape, this->X, this->Values, this->Usable.get() };
-    const nephoscope::SurfaceVertices<Real> vertices{
-      ArrayOf<Real>::Type::SafeDownCast(out.Points)->GetPointer(3 * first),
-      out.Normals ? out.Normals->GetPointer(3 * first) : nullptr
-    };
-    T* values = nullptr;
-    if (auto* array = ArrayOf<T>::Type::SafeDownCast(out.Field))
-    {
-      values = array->GetPointer(first);
-    }
-    // Bands of rows along j over all k: gradients of a band's two levels stay in the cache.
-    const int band = this->Shape.n[1] >= 64 ? 8 : 2;
-    const vtkIdType bands = (this->Shape.n[1] + band - 1) / band;
-    vtkSMPThreadLocal<Cache> caches;
-    ArrayList& others = out.Others;
-    vtkDataArray* slowValues = out.Field;
-    vtkSMPTools::For(0, bands, 1,
-      [this, &field, &level, &caches, &vertices, &others, values, slowValues, value, first, band](
-        vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType b = begin; b < end; ++b)
-        {
-          const int j0 = static_cast<int>(b) * band;
-          nephoscope::writeVertices(field, level, value, j0, std::min(j0 + band, this->Shape.n[1]),
-            caches.Local(), vertices,
-            [&others, values, slowValues, value, first](Index id, Index from, Index to, double t)
-            {
-              others.InterpolateEdge(from, to, t, first + id);
-              if (values)
-              {
-                values[id] = static_cast<T>(value);
-              }
-              else
-              {
-                slowValues->SetComponent(first + id, 0, value);
-              }
-            });
-        }
-      });
-  }
-
-  template <class Id>
-  void GenerateTriangles(const ContourLevel& level, bool flip, vtkIdType firstVertex,
-    vtkIdType firstTriangle, Id* ids, Id* offsets) const
-  {
-    vtkSMPTools::For(0, this->Shape.rows(),
-      [&level, flip, firstVertex, firstTriangle, ids, offsets](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType row = begin; row < end; ++row)
-        {
-          Index triangle = firstTriangle + level.firstTriangle(row);
-          level.forEachTriangle(row,
-            [flip, firstVertex, ids, offsets, &triangle](Index a, Index b, Index c)
-            {
-              offsets[triangle] = static_cast<Id>(3 * triangle);
-              Id* corner = ids + 3 * triangle++;
-              corner[0] = static_cast<Id>(firstVertex + a);
-              corner[1] = static_cast<Id>(firstVertex + (flip ? c : b));
-              corner[2] = static_cast<Id>(firstVertex + (flip ? b : c));
-            });
-        }
-      });
-  }
-
-  vtkDataSet* Input;
-  LatticeShape Shape;
-  const Points& X;
-  const T* Values;
-  std::unique_ptr<LatticeBits> Usable; // points; null for all
-  std::unique_ptr<LatticeBits> Cells;  // null for all
-  std::vector<std::unique_ptr<ContourLevel>> Levels;
-  std::vector<double> LevelValues;
-  vtkIdType Vertices = 0;
-  vtkIdType Triangles = 0;
-};
 
 /// What the two kinds of grid have in common when they are contoured.
 struct Request
@@ -423,7 +74,7 @@ void contourLattice(const Request& request, const Points& points, const T* value
   {
     return;
   }
-  Output out;
+  ContourOutput out;
   allocate(out, request.Input, request.Output, request.Field,
     std::is_same<typename Points::Real, double>::value, request.Normals,
     contour.GetNumberOfVertices(), contour.GetNumberOfTriangles());
@@ -514,8 +165,9 @@ bool usableTetrahedra(
 }
 
 template <class T>
-void writeTetrahedraVertices(const Request& request, Output& out, const TetrahedraSurface& surface,
-  double value, vtkIdType first, const T* values, const std::vector<Vector3>& gradients)
+void writeTetrahedraVertices(const Request& request, ContourOutput& out,
+  const TetrahedraSurface& surface, double value, vtkIdType first, const T* values,
+  const std::vector<Vector3>& gradients)
 {
   vtkPoints* points = vtkUnstructuredGrid::SafeDownCast(request.Input)->GetPoints();
   for (std::size_t v = 0; v < surface.Vertices.size(); ++v)
@@ -565,7 +217,7 @@ int contourTetrahedra(const Request& request, const T* values)
   {
     return 1;
   }
-  Output out;
+  ContourOutput out;
   allocate(out, grid, request.Output, request.Field, grid->GetPoints()->GetDataType() == VTK_DOUBLE,
     request.Normals, vertices, corners / 3);
   std::vector<Vector3> gradients;
