@@ -49,6 +49,8 @@ public:
 
   bool isSphere() const { return this->Sphere; }
   bool isPeriodic() const { return this->Periodic; }
+  /// Columns that differ, where the grid goes round: one fewer than columns() if the first comes again at the end.
+  int period() const { return this->Period; }
   int columns() const { return static_cast<int>(this->X.Values.size()); }
   int rows() const { return static_cast<int>(this->Y.Values.size()); }
 

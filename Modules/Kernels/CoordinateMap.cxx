@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CoordinateMap.h"
+
+#include <algorithm>
+
+namespace nephoscope
+{
+namespace
+{
+/// The columns about a column, one-sided at edges, and the differences of position across it, m along the level.
+struct Surroundings
+{
+  int west;
+  int east;
+  int south;
+  int north;
+  Vector3 a; // from west to east
+  Vector3 b; // from south to north
+
+  Surroundings(const AirMotion& air, int i, int j)
+  {
+    const ColumnGrid& grid = *air.wind.grid;
+    const int nx = grid.columns();
+    int before = std::max(i - 1, 0);
+    int after = std::min(i + 1, nx - 1);
+    if (grid.isPeriodic())
+    {
+      const int period = grid.period();
+      before = (i + period - 1) % period;
+      after = (i + 1) % period;
+    }
+    const int below = std::max(j - 1, 0);
+    const int above = std::min(j + 1, grid.rows() - 1);
+    const double scale = grid.isSphere() ? air.wind.radius : 1;
+    this->a = scale * (grid.position(after, j) - grid.position(before, j));
+    this->b = scale * (grid.position(i, above) - grid.position(i, below));
+    this->west = before + nx * j;
+    this->east = after + nx * j;
+    this->south = i + nx * below;
+    this->north = i + nx * above;
+  }
+
+  double aa() const { return dot(this->a, this->a); }
+  double ab() const { return dot(this->a, this->b); }
+  double bb() const { return dot(this->b, this->b); }
+  double determinant() const { return this->aa() * this->bb() - this->ab() * this->ab(); }
+  bool span() const { return this->determinant() > 1e-12 * this->aa() * this->bb(); }
+};
+}
+
+Vector3 placeOf(const AirMotion& air, const Vector3& position, double height)
+{
+  const double up = air.heightScale * height;
+  return air.wind.grid->isSphere() ? (air.wind.radius + up) * position
+                                   : Vector3{ position[0], position[1], up };
+}
+
+Vector3 placeOfPoint(const AirMotion& air, int i, int j, int k, double at)
+{
+  const std::size_t point =
+    i + static_cast<std::size_t>(air.wind.grid->columns()) * j + air.columns() * k;
+  const double height = (1 - at) * air.height[0][point] + at * air.height[1][point];
+  return placeOf(air, air.wind.grid->position(i, j), height);
+}
+
+Vector3 carriedCoordinates(const AirMotion& air, const TrajectoryScheme& scheme,
+  const float* displacement, int i, int j, int k, double from, double to)
+{
+  const ColumnGrid& grid = *air.wind.grid;
+  const Parcel was =
+    follow(air.wind, scheme, { grid.position(i, j), static_cast<double>(k) }, to, from);
+  ColumnStencil across;
+  grid.locate(was.position, scheme.interpolation, across);
+  const LevelStencil up = levelStencil(was.level, air.wind.levels, scheme.interpolation);
+  double height = 0;
+  for (int time = 0; time < 2; ++time)
+  {
+    const double share = time == 0 ? 1 - from : from;
+    if (share != 0)
+    {
+      double z[1];
+      read(air.height[time], air.columns(), across, up, z);
+      height += share * z[0];
+    }
+  }
+  Vector3 result = placeOf(air, was.position, height);
+  if (displacement)
+  {
+    double moved[3];
+    read(displacement, air.columns(), across, up, moved);
+    result = result + Vector3{ moved[0], moved[1], moved[2] };
+  }
+  return result;
+}
+
+double motionThroughLevels(const AirMotion& air, int time, int i, int j, int k, double w)
+{
+  const std::size_t level = air.columns() * k;
+  const std::size_t column = i + static_cast<std::size_t>(air.wind.grid->columns()) * j;
+  double motion = w;
+  if (air.wind.seconds != 0)
+  {
+    motion -= (static_cast<double>(air.height[1][level + column]) - air.height[0][level + column]) /
+      air.wind.seconds;
+  }
+  const Surroundings s(air, i, j);
+  if (s.span())
+  {
+    // v = alpha a + beta b, so v . grad z = alpha dz_a + beta dz_b.
+    const float* const v = air.wind.velocity[time] + 3 * (level + column);
+    const Vector3 wind{ v[0], v[1], v[2] };
+    const double va = dot(wind, s.a);
+    const double vb = dot(wind, s.b);
+    const double alpha = (va * s.bb() - vb * s.ab()) / s.determinant();
+    const double beta = (vb * s.aa() - va * s.ab()) / s.determinant();
+    const float* const z = air.height[time] + level;
+    motion -= alpha * (static_cast<double>(z[s.east]) - z[s.west]) +
+      beta * (static_cast<double>(z[s.north]) - z[s.south]);
+  }
+  return motion;
+}
+
+Stretch stretchAt(const AirMotion& air, const float* coordinates, int i, int j, int k)
+{
+  const Surroundings s(air, i, j);
+  if (!s.span())
+  {
+    return {};
+  }
+  const float* const c = coordinates + 3 * air.columns() * k;
+  const auto difference = [c](int from, int to)
+  {
+    return Vector3{ static_cast<double>(c[3 * to]) - c[3 * from],
+      static_cast<double>(c[3 * to + 1]) - c[3 * from + 1],
+      static_cast<double>(c[3 * to + 2]) - c[3 * from + 2] };
+  };
+  const Vector3 ca = difference(s.west, s.east);
+  const Vector3 cb = difference(s.south, s.north);
+  // The eigenvalues of G^-1 H, G and H the metrics of positions and of coordinates, are the squares.
+  const double haa = dot(ca, ca);
+  const double hab = dot(ca, cb);
+  const double hbb = dot(cb, cb);
+  const double half = 0.5 * (s.bb() * haa - 2 * s.ab() * hab + s.aa() * hbb) / s.determinant();
+  const double product = std::max((haa * hbb - hab * hab) / s.determinant(), 0.0);
+  const double root = std::sqrt(std::max(half * half - product, 0.0));
+  const double large = half + root;
+  const double small = large > 0 ? product / large : 0; // without cancellation
+  return { std::sqrt(large), std::sqrt(small) };
+}
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CoordinateMap.h
+ * @brief Coordinates that move with the air: where a parcel was at a reference time, and how far that map is stretched.
+ *
+ * On the grid's points at time b the map is
+ *
+ *     C_b(x) = P_a(x_a) + D_a(x_a)          D_b(x) = C_b(x) - P_b(x)
+ *
+ * with x_a the place at time a of the parcel that is at x at time b (Trajectory.h), P_a(x) the place itself in metres with the
+ * heights of time a, and D_a the displacement that the map had at time a: zero where it begins. Interpolating the displacement
+ * instead of C makes calm air exact and errors small where little has moved (semi-Lagrangian, Staniforth and Cote 1991).
+ */
+#ifndef CoordinateMap_h
+#define CoordinateMap_h
+
+#include "Trajectory.h"
+
+namespace nephoscope
+{
+/// Between two times: the wind, the heights of the levels, and how heights count as lengths.
+struct AirMotion
+{
+  WindPair wind;
+  const float* height[2] = {}; ///< at t0 and t1, m, one a point
+  double heightScale = 1;      ///< metres of place per metre of height
+
+  std::size_t columns() const
+  {
+    return static_cast<std::size_t>(this->wind.grid->columns()) * this->wind.grid->rows();
+  }
+};
+
+/// P: on the sphere (R + s z) direction, in the plane (x, y, s z); m.
+Vector3 placeOf(const AirMotion& air, const Vector3& position, double height);
+
+/// P of a point of the grid at a fraction of the interval.
+Vector3 placeOfPoint(const AirMotion& air, int i, int j, int k, double at);
+
+/**
+ * @brief C at a point of the grid at fraction `to`, from the map at fraction `from`.
+ * @param displacement D at `from`, 3 floats a point, m; null where the map begins at `from`
+ */
+Vector3 carriedCoordinates(const AirMotion& air, const TrajectoryScheme& scheme,
+  const float* displacement, int i, int j, int k, double from, double to);
+
+/**
+ * @brief What moves the air through the level surfaces at a point: w - dz/dt|s - v . grad_s z, m/s.
+ * @param time 0 or 1, the end of the interval; w the upward wind there, m/s
+ * The slope is by central differences, one-sided at edges; at a pole row and on a single row or column it counts as level.
+ */
+double motionThroughLevels(const AirMotion& air, int time, int i, int j, int k, double w);
+
+/// How a map of coordinates stretches its surroundings: singular values of its gradient along a level surface.
+struct Stretch
+{
+  double largest = 1;
+  double smallest = 1;
+};
+/// @param coordinates C, 3 floats a point. Cells without width (pole rows) and single rows or columns give 1, 1.
+Stretch stretchAt(const AirMotion& air, const float* coordinates, int i, int j, int k);
+}
+#endif
