@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DeepTile.h"
 
-#include <algorithm>
-#include <cmath>
+#include <limits>
 
 namespace nephoscope
 {
@@ -11,15 +10,8 @@ void DeepTile::reset(const TileExtent& extent)
   this->Extent = extent;
   this->Segments.clear();
   this->Pixels.clear();
-  this->OpaqueAt.assign(
-    static_cast<std::size_t>(extent.width) * extent.height, std::numeric_limits<float>::infinity());
-}
-
-float DeepTile::roundedUp(double distance)
-{
-  const float rounded = static_cast<float>(distance);
-  return rounded < distance ? std::nextafter(rounded, std::numeric_limits<float>::infinity())
-                            : rounded;
+  this->OpaqueAt.assign(static_cast<std::size_t>(extent.width) * extent.height,
+    std::numeric_limits<double>::infinity());
 }
 
 void DeepTile::composite(std::vector<PixelLight>& light)

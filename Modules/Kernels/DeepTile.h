@@ -26,7 +26,7 @@ struct TileExtent
 /**
  * @brief Collects segments in any order and composites them pixel by pixel.
  *
- * One thread fills one tile. Memory is that of the tile's segments (44 bytes each) and is kept for the next tile.
+ * One thread fills one tile. Memory is that of the tile's segments (52 bytes each) and is kept for the next tile.
  * What lies behind an opaque surface that was added before is not kept.
  */
 class DeepTile
@@ -41,7 +41,7 @@ public:
   void add(int x, int y, const Segment& segment)
   {
     const std::uint32_t pixel = this->index(x, y);
-    float& hidden = this->OpaqueAt[pixel];
+    double& hidden = this->OpaqueAt[pixel];
     if (segment.nearEnd > hidden)
     {
       return;
@@ -49,14 +49,14 @@ public:
     if (segment.opticalDepth[0] == Opaque && segment.opticalDepth[1] == Opaque &&
       segment.opticalDepth[2] == Opaque)
     {
-      hidden = roundedUp(segment.nearEnd);
+      hidden = segment.nearEnd;
     }
     this->Segments.push_back(segment);
     this->Pixels.push_back(pixel);
   }
 
   /// No segment beyond this distance along the pixel's ray can be seen (infinity if nothing opaque is known yet).
-  float opaqueAt(int x, int y) const { return this->OpaqueAt[this->index(x, y)]; }
+  double opaqueAt(int x, int y) const { return this->OpaqueAt[this->index(x, y)]; }
 
   std::size_t numberOfSegments() const { return this->Segments.size(); }
 
@@ -69,12 +69,11 @@ private:
     return static_cast<std::uint32_t>(
       (y - this->Extent.y0) * this->Extent.width + (x - this->Extent.x0));
   }
-  static float roundedUp(double distance);
 
   TileExtent Extent;
   std::vector<Segment> Segments;
   std::vector<std::uint32_t> Pixels;
-  std::vector<float> OpaqueAt;
+  std::vector<double> OpaqueAt;
   std::vector<Segment> Sorted;
   std::vector<std::size_t> Starts;
 };

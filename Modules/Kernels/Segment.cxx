@@ -19,7 +19,7 @@ bool usable(const Segment& s)
   // Written so that a NaN anywhere fails.
   return s.farEnd >= s.nearEnd && s.farEnd >= 0 && std::isfinite(s.nearEnd) &&
     s.opticalDepth[0] >= 0 && s.opticalDepth[1] >= 0 && s.opticalDepth[2] >= 0 &&
-    std::isfinite(s.radiance[0] + s.radiance[1] + s.radiance[2]);
+    std::isfinite(s.radiance[0] + s.radiance[1] + s.radiance[2]) && std::abs(s.skew) <= 1;
 }
 
 /// The light so far, in double so that many thin segments add up.
@@ -59,7 +59,16 @@ void addWhole(Accumulator& light, const Segment& s)
 /// Infinite optical depth over a length is no medium that could be mixed; this much hides everything just as well.
 constexpr double Densest = 1e30;
 
-/// The stretch [near, far] that all active segments share, as one uniform medium.
+/// The part of a segment's optical depth that lies between two distances.
+double share(const Segment& s, double near, double far)
+{
+  const double length = s.farEnd - s.nearEnd;
+  const double a = (near - s.nearEnd) / length;
+  const double b = (far - s.nearEnd) / length;
+  return (b - a) * (1 + s.skew * (a + b - 1));
+}
+
+/// The stretch [near, far] that all active segments share, as one medium.
 template <class Iterator>
 void addMixture(Accumulator& light, Iterator begin, Iterator end, double near, double far)
 {
@@ -67,7 +76,7 @@ void addMixture(Accumulator& light, Iterator begin, Iterator end, double near, d
   double emitted[3] = { 0, 0, 0 };
   for (Iterator s = begin; s != end; ++s)
   {
-    const double part = (far - near) / ((*s)->farEnd - (*s)->nearEnd);
+    const double part = share(**s, near, far);
     for (int c = 0; c < 3; ++c)
     {
       const double whole = std::min<double>((*s)->opticalDepth[c], Densest);

@@ -25,6 +25,8 @@ struct Segment
   double farEnd = 0;           ///< distance along the ray, scene units, >= nearEnd
   RGB opticalDepth{ 0, 0, 0 }; ///< per channel, >= 0, dimensionless
   RGB radiance{ 0, 0, 0 };     ///< per channel, leaving the near end, attenuated within the segment
+  float skew =
+    0; ///< extinction is linear: mean (1 + skew (2 x - 1)), x from 0 to 1 along it; -1 to 1
 };
 
 /// What the segments of one pixel amount to.
@@ -43,10 +45,10 @@ constexpr float Opaque =
  * @brief Composite one pixel's segments front to back.
  *
  * Segments are sorted in place by nearEnd; equal ones (surfaces at one distance) keep the order they came in.
- * Where segments overlap, they are split at each other's ends and the common stretch is mixed as uniform media:
- * with extinction sigma_i = tau_i / l_i and emission j_i = (L_i / l_i) tau_i / (1 - exp(-tau_i)), the mixture has
- * sigma = sum sigma_i, j = sum j_i, and a stretch d of it has tau = sigma d, L = j d (1 - exp(-tau)) / tau.
- * Splitting a single segment changes nothing. Segments whose ends or optical depths are NaN, that end behind the eye
+ * Where segments overlap, they are split at each other's ends and the common stretch is mixed: of segment i it holds
+ * the optical depth tau_i,part after its linear extinction, and with the source function S_i = L_i / (1 - exp(-tau_i)) that
+ * is constant in it, the stretch has tau = sum tau_i,part, L = (sum S_i tau_i,part) (1 - exp(-tau)) / tau. Splitting a
+ * single segment changes nothing; transmittances are exact, radiances are where the shares of the mixture are constant. Segments whose ends or optical depths are NaN, that end behind the eye
  * or are turned around (farEnd < nearEnd) are dropped; a part behind the eye (distance < 0) is cut off.
  *
  * Depth is interpolated within its segment by the uniform law.

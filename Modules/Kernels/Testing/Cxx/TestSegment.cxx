@@ -79,6 +79,17 @@ TEST(Segment, SurfaceInsideAVolumeSplitsIt)
   EXPECT_NEAR(light.transmittance[0], 0.75 * std::exp(-2.0), 1e-7);
 }
 
+TEST(Segment, SurfaceInsideALinearMediumSplitsItWhereItsOpticalDepthIs)
+{
+  // Extinction from 0.2 at 10 to 1.0 at 12, source 1: 0.2 + 0.2 = 0.4 up to 11, where a surface lets half through.
+  Segment medium = uniform(10, 12, 1.2F, 1);
+  medium.skew = (1.0F - 0.2F) / (1.0F + 0.2F);
+  const PixelLight light = compositeOf({ medium, surface(11, 0.5F, 3) });
+  const double before = std::exp(-0.4);
+  EXPECT_NEAR(light.radiance[0], 1 - before + before * (1.5 + 0.5 * (1 - std::exp(-0.8))), 1e-6);
+  EXPECT_NEAR(light.transmittance[0], 0.5 * std::exp(-1.2), 1e-7);
+}
+
 TEST(Segment, OverlappingUniformMediaMixExactly)
 {
   // [0,2] sigma 1 source 1 and [1,3] sigma 3 source 0: between 1 and 2 sigma 4, source 1/4.

@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCloudCellVolume.h"
+
+#include "Camera.h"
+#include "CellColumns.h"
+#include "CloudArrays.h"
+#include "Optics.h"
+#include "ScreenBins.h"
+#include "TetrahedralSplit.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkSMPTools.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+#include <string>
+
+vtkStandardNewMacro(vtkCloudCellVolume);
+
+namespace
+{
+/// The extent of whatever has one.
+bool extentOf(vtkDataSet* grid, int extent[6])
+{
+  if (auto* const curvilinear = vtkStructuredGrid::SafeDownCast(grid))
+  {
+    curvilinear->GetExtent(extent);
+  }
+  else if (auto* const rectilinear = vtkRectilinearGrid::SafeDownCast(grid))
+  {
+    rectilinear->GetExtent(extent);
+  }
+  else if (auto* const image = vtkImageData::SafeDownCast(grid))
+  {
+    image->GetExtent(extent);
+  }
+  else
+  {
+    return false;
+  }
+  return true;
+}
+
+std::string namesOfArrays(vtkDataSet* grid)
+{
+  std::string names;
+  for (int a = 0; a < grid->GetPointData()->GetNumberOfArrays(); ++a)
+  {
+    const char* const name = grid->GetPointData()->GetArrayName(a);
+    names += (names.empty() ? "" : ", ") + std::string(name ? name : "(unnamed)");
+  }
+  return names.empty() ? "none" : names;
+}
+
+}
+
+/// The arrays of a rule, and the rule: extinction of a point per scene unit.
+struct vtkCloudCellVolume::ExtinctionAtPoint
+{
+  vtkDataArray* Fraction = nullptr;
+  vtkDataArray* Liquid = nullptr;
+  vtkDataArray* Ice = nullptr;
+  vtkDataArray* Pressure = nullptr;
+  vtkDataArray* Temperature = nullptr;
+  vtkDataArray* Height = nullptr;
+  nephoscope::Particles Droplets;
+  nephoscope::Particles Crystals;
+  double FullCover = 0;
+  double Scale = 1;
+
+  double AirDensity(vtkIdType point) const
+  {
+    if (this->Pressure && this->Temperature)
+    {
+      return nephoscope::airDensity(
+        this->Pressure->GetComponent(point, 0), this->Temperature->GetComponent(point, 0));
+    }
+    return nephoscope::standardAirDensity(this->Height ? this->Height->GetComponent(point, 0) : 0);
+  }
+
+  float operator()(vtkIdType point) const
+  {
+    double sigma = 0;
+    if (this->Fraction)
+    {
+      sigma = this->FullCover * this->Fraction->GetComponent(point, 0);
+    }
+    else
+    {
+      const double air = this->AirDensity(point);
+      for (const auto& kind :
+        { std::make_pair(this->Liquid, this->Droplets), std::make_pair(this->Ice, this->Crystals) })
+      {
+        sigma += kind.first ? nephoscope::condensateExtinctionPerMeter(
+                                kind.first->GetComponent(point, 0), air, kind.second)
+                            : 0;
+      }
+    }
+    return nephoscope::usableExtinction(this->Scale * sigma);
+  }
+};
+
+namespace
+{
+/// Copies one row of columns' points, each line's next to each other.
+template <class Extinction>
+void copyPoints(nephoscope::CellColumns& columns, vtkDataSet* grid, const Extinction& extinction,
+  vtkUnsignedCharArray* ghosts, vtkIdType row)
+{
+  for (int k = 0; k < columns.nz; ++k)
+  {
+    for (int i = 0; i < columns.nx; ++i)
+    {
+      const vtkIdType from = (static_cast<vtkIdType>(k) * columns.ny + row) * columns.nx + i;
+      const std::size_t to = (static_cast<std::size_t>(row) * columns.nx + i) * columns.nz + k;
+      grid->GetPoint(from, columns.points[to].v);
+      const bool hidden = ghosts && (ghosts->GetValue(from) & vtkDataSetAttributes::HIDDENPOINT);
+      columns.extinction[to] = hidden ? std::nanf("") : extinction(from);
+    }
+  }
+}
+
+/// Marks the cells that are blanked or another piece's.
+void markHidden(nephoscope::CellColumns& columns, vtkUnsignedCharArray* ghosts, vtkIdType column)
+{
+  const vtkIdType levels = columns.nz - 1;
+  const auto all = static_cast<vtkIdType>(columns.numberOfColumns());
+  for (vtkIdType k = 0; k < levels; ++k)
+  {
+    columns.drawn[column * levels + k] =
+      (ghosts->GetValue(k * all + column) &
+        (vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL |
+          vtkDataSetAttributes::REFINEDCELL))
+      ? 0
+      : 1;
+  }
+}
+}
+
+struct vtkCloudCellVolume::Internals
+{
+  nephoscope::CellColumns Columns;
+  std::vector<std::uint32_t> Drawn; ///< the columns with cells to draw
+  ScreenBins Bins;
+  vtkMTimeType Read = 0;
+  vtkIdType DrawnCells = 0;
+};
+
+vtkCloudCellVolume::vtkCloudCellVolume()
+  : Data(std::make_unique<Internals>())
+{
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, nephoscope::arrays::CloudFraction);
+}
+
+vtkCloudCellVolume::~vtkCloudCellVolume() = default;
+
+int vtkCloudCellVolume::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  return 1;
+}
+
+vtkDataArray* vtkCloudCellVolume::FindArray(
+  vtkDataSet* grid, vtkDataArray* array, const char* name, bool required)
+{
+  if (!array)
+  {
+    if (required)
+    {
+      vtkErrorMacro("The grid has no point array " << name << " (it has: " << namesOfArrays(grid)
+                                                   << "); name another with "
+                                                      "SetInputArrayToProcess or choose another "
+                                                      "ExtinctionRule.");
+    }
+    return nullptr;
+  }
+  if (array->GetNumberOfTuples() != grid->GetNumberOfPoints() ||
+    array->GetNumberOfComponents() != 1)
+  {
+    vtkErrorMacro("The array " << name << " has " << array->GetNumberOfTuples() << " tuples of "
+                               << array->GetNumberOfComponents() << " for "
+                               << grid->GetNumberOfPoints()
+                               << " points; give one value for each point.");
+    return nullptr;
+  }
+  return array;
+}
+
+bool vtkCloudCellVolume::SetUpExtinction(vtkDataSet* grid, ExtinctionAtPoint& extinction)
+{
+  using namespace nephoscope;
+  extinction.FullCover = this->FullCoverExtinction;
+  extinction.Droplets = { this->ExtinctionEfficiency, this->LiquidRadius, LiquidWaterDensity };
+  extinction.Crystals = { this->ExtinctionEfficiency, this->IceRadius, IceDensity };
+  extinction.Scale = this->ExtinctionScale;
+  if (vtkDataArray* const heightScale = grid->GetFieldData()->GetArray(arrays::HeightScale))
+  {
+    const double scale = heightScale->GetNumberOfValues() > 0 ? heightScale->GetComponent(0, 0) : 0;
+    if (!(scale > 0 && std::isfinite(scale)))
+    {
+      vtkErrorMacro("The field data's " << arrays::HeightScale << " is " << scale
+                                        << "; it has to be positive, scene units per metre.");
+      return false;
+    }
+    extinction.Scale /= scale;
+  }
+  if (this->ExtinctionRule == vtkCloudCellVolume::CloudFraction)
+  {
+    vtkDataArray* const chosen = this->GetInputArrayToProcess(0, grid);
+    extinction.Fraction = this->FindArray(grid, chosen, arrays::CloudFraction, true);
+    return extinction.Fraction != nullptr;
+  }
+  vtkPointData* const points = grid->GetPointData();
+  vtkDataArray** const found[] = { &extinction.Liquid, &extinction.Ice, &extinction.Pressure,
+    &extinction.Temperature, &extinction.Height };
+  const char* const names[] = { arrays::LiquidWater, arrays::IceWater, arrays::Pressure,
+    arrays::Temperature, arrays::Height };
+  for (int a = 0; a < 5; ++a)
+  {
+    vtkDataArray* const array = points->GetArray(names[a]);
+    const bool required = a == 1 && !extinction.Liquid;
+    *found[a] = this->FindArray(grid, array, names[a], required);
+    if (!*found[a] && (array || required))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool vtkCloudCellVolume::ReadGrid()
+{
+  auto* const grid = vtkDataSet::SafeDownCast(this->GetInputDataObject(0, 0));
+  int extent[6];
+  if (!grid || !extentOf(grid, extent))
+  {
+    vtkErrorMacro("The input is " << (grid ? grid->GetClassName() : "no data set")
+                                  << "; give a vtkStructuredGrid, vtkRectilinearGrid or "
+                                     "vtkImageData.");
+    return false;
+  }
+  const int size[3] = { extent[1] - extent[0] + 1, extent[3] - extent[2] + 1,
+    extent[5] - extent[4] + 1 };
+  if (size[0] < 2 || size[1] < 2 || size[2] < 2)
+  {
+    vtkErrorMacro("The grid of " << size[0] << " x " << size[1] << " x " << size[2]
+                                 << " points has no cells; give two levels at least.");
+    return false;
+  }
+  ExtinctionAtPoint extinction;
+  if (!this->SetUpExtinction(grid, extinction))
+  {
+    return false;
+  }
+  nephoscope::CellColumns& columns = this->Data->Columns;
+  columns.resize(size[0], size[1], size[2]);
+  columns.parity = nephoscope::splitParity(extent[0], extent[2], extent[4]);
+  vtkUnsignedCharArray* const pointGhosts = grid->GetPointGhostArray();
+  vtkUnsignedCharArray* const ghosts = grid->GetCellGhostArray();
+  vtkSMPTools::For(0, columns.ny, 1,
+    [&columns, grid, &extinction, pointGhosts](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        copyPoints(columns, grid, extinction, pointGhosts, row);
+      }
+    });
+  vtkSMPTools::For(0, static_cast<vtkIdType>(columns.numberOfColumns()), 256,
+    [&columns, ghosts](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType column = begin; column < end; ++column)
+      {
+        if (ghosts)
+        {
+          markHidden(columns, ghosts, column);
+        }
+        columns.classify(column);
+      }
+    });
+  return true;
+}
+
+bool vtkCloudCellVolume::Prepare(const nephoscope::Camera& camera)
+{
+  Internals& data = *this->Data;
+  const vtkMTimeType newest = this->GetInputsMTime();
+  if (data.Read < newest)
+  {
+    data.Drawn.clear();
+    if (!this->ReadGrid())
+    {
+      return false;
+    }
+    for (std::size_t column = 0; column < data.Columns.numberOfColumns(); ++column)
+    {
+      if (data.Columns.first[column] < data.Columns.last[column])
+      {
+        data.Drawn.push_back(static_cast<std::uint32_t>(column));
+      }
+    }
+    data.Read = newest;
+  }
+  const nephoscope::RaySpace space(camera);
+  data.Bins.Build(data.Drawn.size(), camera.width(), camera.height(),
+    [&data, &space, &camera]() -> ScreenBins::BoxOf
+    {
+      const auto rays = std::make_shared<nephoscope::ColumnRays>(
+        data.Columns, space, camera.width(), camera.height());
+      return [rays, &data](std::size_t thing)
+      {
+        rays->look(data.Drawn[thing]);
+        return rays->box();
+      };
+    });
+  data.DrawnCells = 0;
+  for (std::size_t thing = 0; thing < data.Drawn.size(); ++thing)
+  {
+    data.DrawnCells +=
+      data.Bins.GetBox(thing).empty() ? 0 : data.Columns.numberOfDrawnCells(data.Drawn[thing]);
+  }
+  return true;
+}
+
+void vtkCloudCellVolume::Emit(const nephoscope::Camera& camera, nephoscope::DeepTile& tile) const
+{
+  const Internals& data = *this->Data;
+  const nephoscope::RaySpace space(camera);
+  const nephoscope::TileRays rays(space, tile);
+  const nephoscope::RGB colour = { static_cast<float>(this->Color[0]),
+    static_cast<float>(this->Color[1]), static_cast<float>(this->Color[2]) };
+  nephoscope::ColumnRays column(data.Columns, space, camera.width(), camera.height());
+  data.Bins.ForEach(tile.extent(), rays.limit(),
+    [&data, &tile, &rays, &colour, &column](std::uint32_t thing)
+    {
+      column.look(data.Drawn[thing]);
+      column.emit(tile, rays, colour);
+    });
+}
+
+vtkIdType vtkCloudCellVolume::GetNumberOfDrawnCells() const
+{
+  return this->Data->DrawnCells;
+}
+
+void vtkCloudCellVolume::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent
+     << "ExtinctionRule: " << (this->ExtinctionRule == Condensate ? "Condensate" : "CloudFraction")
+     << '\n';
+  os << indent << "FullCoverExtinction: " << this->FullCoverExtinction << " 1/m\n";
+  os << indent << "ExtinctionScale: " << this->ExtinctionScale << '\n';
+  os << indent << "ExtinctionEfficiency: " << this->ExtinctionEfficiency << '\n';
+  os << indent << "LiquidRadius: " << this->LiquidRadius << " m\n";
+  os << indent << "IceRadius: " << this->IceRadius << " m\n";
+  os << indent << "Color: " << this->Color[0] << ' ' << this->Color[1] << ' ' << this->Color[2]
+     << '\n';
+}
