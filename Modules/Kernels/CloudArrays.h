@@ -22,6 +22,8 @@ inline constexpr const char* Height =
   "Height"; ///< 1 component, m above sea level, never exaggerated
 inline constexpr const char* Temperature = "Temperature";           ///< 1 component, K
 inline constexpr const char* SpecificHumidity = "SpecificHumidity"; ///< 1 component, kg/kg
+inline constexpr const char* PotentialTemperature =
+  "PotentialTemperature"; ///< 1 component, K; only if it was asked for
 
 // Point arrays of the transparency texture.
 inline constexpr const char* TextureCoordinates =
@@ -41,6 +43,8 @@ inline constexpr const char* PlanetRadius = "PlanetRadius"; ///< double, scene u
 inline constexpr const char* HeightScale =
   "HeightScale"; ///< double, scene units of vertical distance per metre of Height (the exaggeration, in metres)
 inline constexpr const char* Projection = "Projection"; ///< string, PROJ definition; Local only
+inline constexpr const char* Derived =
+  "Derived"; ///< strings: what a reader computed and how, one line a quantity
 }
 }
 #endif

@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCloudNetCDFReader.h"
+
+#include "CloudArrays.h"
+#include "CloudFields.h"
+#include "CloudFile.h"
+#include "CloudRoles.h"
+#include "HorizontalGrid.h"
+#include "ReadError.h"
+#include "SceneLayout.h"
+#include "StructuredOutput.h"
+#include "VerticalReader.h"
+
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkStringArray.h>
+#include <vtkStructuredGrid.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkCloudNetCDFReader);
+
+using namespace nephoscope;
+
+struct vtkCloudNetCDFReader::Internals
+{
+  std::map<std::string, std::string> Choices;
+
+  // What the last RequestInformation learned; null after an error.
+  std::unique_ptr<CloudFile> File;
+  std::unique_ptr<HorizontalGrid> Horizontal;
+  std::unique_ptr<VerticalReader> Vertical;
+  SceneOptions Options;
+  OutputGrid Output;
+  int FileDimensions[3] = { 0, 0, 0 };
+  int Dimensions[3] = { 0, 0, 0 };
+  std::vector<Role> Roles;
+  std::vector<std::string> Labels;
+  std::string Units;
+
+  void Clear()
+  {
+    this->Vertical.reset();
+    this->Horizontal.reset();
+    this->File.reset();
+    this->Roles.clear();
+    this->Labels.clear();
+    this->Units.clear();
+    std::fill_n(this->FileDimensions, 3, 0);
+    std::fill_n(this->Dimensions, 3, 0);
+  }
+
+  std::map<Role, std::string> RoleChoices() const
+  {
+    std::map<Role, std::string> choices;
+    for (const auto& [name, variable] : this->Choices)
+    {
+      const Role role = roleOfName(name);
+      if (role == Role::Count)
+      {
+        std::string known;
+        for (int r = 0; r < static_cast<int>(Role::Count); ++r)
+        {
+          known += (r ? ", " : "") + std::string(ruleOf(static_cast<Role>(r)).name);
+        }
+        throw ReadError("role '" + name + "' is not known; the roles are " + known);
+      }
+      choices[role] = variable;
+    }
+    return choices;
+  }
+
+  void Open(const char* name, const SceneOptions& wanted, bool automatic, bool diagnose)
+  {
+    this->File = std::make_unique<CloudFile>(name, this->RoleChoices());
+    CloudFile& file = *this->File;
+    this->Horizontal = std::make_unique<HorizontalGrid>(file);
+    this->Vertical = std::make_unique<VerticalReader>(file);
+    describeFields(file, diagnose);
+    this->Options = wanted;
+    if (automatic)
+    {
+      this->Options.geometry = this->Horizontal->Global ? SceneGeometry::Globe
+        : this->Horizontal->Plain                       ? SceneGeometry::Map
+                                                        : SceneGeometry::Local;
+    }
+    this->Output = OutputGrid(file.Grid, *this->Horizontal, this->Options.geometry);
+    const std::size_t sizes[3] = { file.Grid.nx, file.Grid.ny, file.Grid.nz };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->FileDimensions[axis] = static_cast<int>(sizes[axis]);
+      this->Dimensions[axis] = this->Output.size(axis);
+    }
+    for (int r = 0; r < static_cast<int>(Role::Count); ++r)
+    {
+      if (file.find(static_cast<Role>(r)))
+      {
+        this->Roles.push_back(static_cast<Role>(r));
+      }
+    }
+    for (double time : file.Times)
+    {
+      this->Labels.push_back(file.HasClock ? file.Clock.label(time) : std::string());
+    }
+    this->Units = file.HasClock ? file.Clock.units() : std::string();
+  }
+
+  /// The step nearest to a time. @throws ReadError outside the file's range
+  std::size_t StepAt(double time) const
+  {
+    const std::vector<double>& times = this->File->Times;
+    if (times.size() < 2)
+    {
+      return 0; // a still: any time shows it
+    }
+    const double slack = 1e-6 * (times.back() - times.front());
+    if (!(time >= times.front() - slack && time <= times.back() + slack))
+    {
+      throw ReadError("time " + std::to_string(time) + " s is out of range; the file has " +
+        std::to_string(times.front()) + " to " + std::to_string(times.back()) + " " + this->Units);
+    }
+    const auto after = std::lower_bound(times.begin(), times.end(), time);
+    std::size_t step = static_cast<std::size_t>(after - times.begin());
+    step = std::min(step, times.size() - 1);
+    return step > 0 && time - times[step - 1] < times[step] - time ? step - 1 : step;
+  }
+};
+
+vtkCloudNetCDFReader::vtkCloudNetCDFReader()
+  : FileName(nullptr)
+  , Geometry(Automatic)
+  , MapUnits(Metres)
+  , VerticalExaggeration(1)
+  , DiagnoseCloudFraction(false)
+  , Internal(new Internals)
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkCloudNetCDFReader::~vtkCloudNetCDFReader()
+{
+  this->SetFileName(nullptr);
+}
+
+void vtkCloudNetCDFReader::SetVariableName(const char* role, const char* name)
+{
+  if (!role)
+  {
+    return;
+  }
+  const std::string value = name ? name : "";
+  const auto found = this->Internal->Choices.find(role);
+  if (found == this->Internal->Choices.end() || found->second != value)
+  {
+    this->Internal->Choices[role] = value;
+    this->Modified();
+  }
+}
+
+const char* vtkCloudNetCDFReader::GetVariableName(const char* role)
+{
+  const auto found = this->Internal->Choices.find(role ? role : "");
+  return found == this->Internal->Choices.end() ? nullptr : found->second.c_str();
+}
+
+void vtkCloudNetCDFReader::ClearVariableNames()
+{
+  if (!this->Internal->Choices.empty())
+  {
+    this->Internal->Choices.clear();
+    this->Modified();
+  }
+}
+
+int vtkCloudNetCDFReader::GetNumberOfKnownRoles()
+{
+  return static_cast<int>(Role::Count);
+}
+
+const char* vtkCloudNetCDFReader::GetKnownRole(int index)
+{
+  return index >= 0 && index < GetNumberOfKnownRoles() ? ruleOf(static_cast<Role>(index)).name
+                                                       : nullptr;
+}
+
+int vtkCloudNetCDFReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  Internals& own = *this->Internal;
+  own.Clear();
+  if (!this->FileName || !this->FileName[0])
+  {
+    vtkErrorMacro("no file: SetFileName is needed");
+    return 0;
+  }
+  try
+  {
+    SceneOptions wanted;
+    wanted.geometry = this->Geometry == Globe ? SceneGeometry::Globe
+      : this->Geometry == Local               ? SceneGeometry::Local
+                                              : SceneGeometry::Map;
+    wanted.degrees = this->MapUnits == Degrees;
+    wanted.exaggeration = this->VerticalExaggeration;
+    own.Open(this->FileName, wanted, this->Geometry == Automatic, this->DiagnoseCloudFraction);
+  }
+  catch (const std::exception& error)
+  {
+    own.Clear();
+    vtkErrorMacro("" << this->FileName << ": " << error.what());
+    return 0;
+  }
+  vtkInformation* output = outputs->GetInformationObject(0);
+  const int whole[6] = { 0, own.Dimensions[0] - 1, 0, own.Dimensions[1] - 1, 0,
+    own.Dimensions[2] - 1 };
+  output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole, 6);
+  output->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  const std::vector<double>& times = own.File->Times;
+  if (times.empty())
+  {
+    output->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+    output->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
+  }
+  else
+  {
+    const double range[2] = { times.front(), times.back() };
+    output->Set(
+      vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
+    output->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+  }
+  return 1;
+}
+
+int vtkCloudNetCDFReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  Internals& own = *this->Internal;
+  vtkInformation* info = outputs->GetInformationObject(0);
+  vtkStructuredGrid* output = vtkStructuredGrid::GetData(info);
+  if (!own.File)
+  {
+    return 0; // RequestInformation has said why
+  }
+  try
+  {
+    CloudFile& file = *own.File;
+    int extent[6];
+    info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
+    const bool timed = info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
+    const std::size_t step =
+      timed ? own.StepAt(info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())) : 0;
+    const Region region = own.Output.region(extent, step);
+    const CloudFields fields = readFields(file, *own.Vertical, region, this->DiagnoseCloudFraction);
+    this->UpdateProgress(0.7);
+    if (this->GetAbortExecute())
+    {
+      return 1;
+    }
+    const SceneLayout layout(*own.Horizontal, file.Grid, own.Options, isGridWind(file));
+    own.Output.fill(output, extent, region, fields, layout, file);
+    own.Output.attach(output, *own.Horizontal, layout, file);
+    if (!file.Times.empty())
+    {
+      output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), file.Times[step]);
+    }
+  }
+  catch (const std::exception& error)
+  {
+    output->Initialize();
+    vtkErrorMacro("" << this->FileName << ": " << error.what());
+    return 0;
+  }
+  this->UpdateProgress(1);
+  return 1;
+}
+
+int* vtkCloudNetCDFReader::GetFileDimensions()
+{
+  return this->Internal->FileDimensions;
+}
+
+int* vtkCloudNetCDFReader::GetDimensions()
+{
+  return this->Internal->Dimensions;
+}
+
+namespace
+{
+template <class T>
+bool within(int index, const T& list)
+{
+  return index >= 0 && static_cast<std::size_t>(index) < list.size();
+}
+}
+
+int vtkCloudNetCDFReader::GetNumberOfTimeSteps()
+{
+  return static_cast<int>(this->Internal->Labels.size());
+}
+
+double vtkCloudNetCDFReader::GetTimeValue(int step)
+{
+  return within(step, this->Internal->Labels)
+    ? this->Internal->File->Times[static_cast<std::size_t>(step)]
+    : std::numeric_limits<double>::quiet_NaN();
+}
+
+const char* vtkCloudNetCDFReader::GetTimeLabel(int step)
+{
+  return within(step, this->Internal->Labels)
+    ? this->Internal->Labels[static_cast<std::size_t>(step)].c_str()
+    : nullptr;
+}
+
+const char* vtkCloudNetCDFReader::GetTimeUnits()
+{
+  return this->Internal->Units.c_str();
+}
+
+const char* vtkCloudNetCDFReader::GetCalendar()
+{
+  return this->Internal->File && this->Internal->File->HasClock
+    ? this->Internal->File->Clock.calendar()
+    : "";
+}
+
+const char* vtkCloudNetCDFReader::GetVerticalCoordinate()
+{
+  return this->Internal->Vertical ? this->Internal->Vertical->kind().c_str() : "";
+}
+
+int vtkCloudNetCDFReader::GetChosenGeometry()
+{
+  return Map + static_cast<int>(this->Internal->Options.geometry);
+}
+
+const char* vtkCloudNetCDFReader::GetChosenGeometryAsString()
+{
+  return geometryName(this->Internal->Options.geometry);
+}
+
+int vtkCloudNetCDFReader::GetNumberOfRoles()
+{
+  return static_cast<int>(this->Internal->Roles.size());
+}
+
+const char* vtkCloudNetCDFReader::GetRoleName(int index)
+{
+  return within(index, this->Internal->Roles)
+    ? ruleOf(this->Internal->Roles[static_cast<std::size_t>(index)]).name
+    : nullptr;
+}
+
+const char* vtkCloudNetCDFReader::GetVariableOfRole(int index)
+{
+  return this->GetVariableOfRole(this->GetRoleName(index));
+}
+
+const char* vtkCloudNetCDFReader::GetVariableOfRole(const char* role)
+{
+  const Role known = role ? roleOfName(role) : Role::Count;
+  const RoleVariable* found =
+    this->Internal->File && known != Role::Count ? this->Internal->File->find(known) : nullptr;
+  return found ? found->variable->name.c_str() : nullptr;
+}
+
+int vtkCloudNetCDFReader::GetNumberOfDerivations()
+{
+  return this->Internal->File ? static_cast<int>(this->Internal->File->Derivations.size()) : 0;
+}
+
+const char* vtkCloudNetCDFReader::GetDerivation(int index)
+{
+  return index >= 0 && index < this->GetNumberOfDerivations()
+    ? this->Internal->File->Derivations[static_cast<std::size_t>(index)].c_str()
+    : nullptr;
+}
+
+int vtkCloudNetCDFReader::GetNumberOfWarnings()
+{
+  return this->Internal->File ? static_cast<int>(this->Internal->File->Warnings.size()) : 0;
+}
+
+const char* vtkCloudNetCDFReader::GetWarning(int index)
+{
+  return index >= 0 && index < this->GetNumberOfWarnings()
+    ? this->Internal->File->Warnings[static_cast<std::size_t>(index)].c_str()
+    : nullptr;
+}
+
+void vtkCloudNetCDFReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n"
+     << indent << "Geometry: " << this->Geometry << "\n"
+     << indent << "MapUnits: " << this->MapUnits << "\n"
+     << indent << "VerticalExaggeration: " << this->VerticalExaggeration << "\n"
+     << indent << "DiagnoseCloudFraction: " << this->DiagnoseCloudFraction << "\n";
+  for (const auto& [role, name] : this->Internal->Choices)
+  {
+    os << indent << "Variable of " << role << ": " << name << "\n";
+  }
+}
