@@ -5,7 +5,7 @@ import numpy as np
 from .balance import P0, Flow
 from .clouds import (VIRTUAL, cloud_fraction, condensate, critical_humidity, saturation_humidity, total_cover)
 from .humidity import STEP, Humidity, upslope
-from .sphere import GRAVITY, HOUR, Grid, bump, smooth, smoothstep, unit_vectors
+from .sphere import GRAVITY, Grid, smooth, smoothstep, unit_vectors
 from .terrain import Terrain
 
 # The 19 hybrid levels of the ECMWF model and of ECHAM (Roeckner et al. 1992): half levels from the top, a in Pa and b.
@@ -24,7 +24,7 @@ STRATOSPHERE = 3.0e-6  # its specific humidity, kg/kg
 class Atmosphere:
     """Samples the made-up atmosphere on a grid; `step(time)` returns a dictionary of arrays in SI units."""
 
-    def __init__(self, nlon=128, nlat=64, seed=1994):
+    def __init__(self, nlon=128, nlat=64, seed=2):
         rng = np.random.default_rng(seed)
         self.grid = Grid(nlon, nlat)
         self.terrain = Terrain(rng)
@@ -75,27 +75,26 @@ class Atmosphere:
             found, texture = self.humidity(self.position.reshape(-1, 3), z[k].ravel(), slot)
             result[k] = found.reshape(z[k].shape) + self.irregularity(z[k]) * texture.reshape(z[k].shape)
         result[below] = np.maximum(result[below], self.low_cloud(z[below], ground, seconds))
-        result = smooth(result, self.grid.lat)
-        # No hard edge at saturation: the approach to 1 is asymptotic, within 4 % or so.
-        return np.maximum(1.0 - 0.04 * np.logaddexp(0.0, (1.0 - result) / 0.04), 0.01)
+        result = 0.74 + 1.3 * (smooth(result, self.grid.lat) - 0.74)  # contrast between cloud systems and clear sky
+        # No hard edge at saturation: the approach to 1 is asymptotic, within 3 % or so.
+        return np.maximum(1.0 - 0.03 * np.logaddexp(0.0, (1.0 - result) / 0.03), 0.01)
 
     def irregularity(self, z):
         """The standard deviation of the texture in relative humidity."""
-        lat = np.abs(self.grid.lat[:, None])
-        return (0.10 + 0.05 * smoothstep(0.1, 0.8, z)) * (0.7 + 0.3 * smoothstep(20.0, 45.0, lat))
+        return 0.12 + 0.06 * smoothstep(0.1, 0.8, z)
 
     def low_cloud(self, z, ground, seconds):
         """Relative humidity of stratocumulus and polar stratus, in thin layers below an inversion."""
         lat, lon = self.grid.lat[:, None], self.grid.lon[None, :]
         cells = self.humidity.cells(self.position[None], z, seconds)
         above = z - ground
-        layer = np.exp(-0.5 * ((above - 0.10) / 0.045) ** 2)
+        layer = np.exp(-0.5 * ((above - 0.10) / 0.06) ** 2)
         deck = self.humidity.sources.decks(lat, lon)
         polar = smoothstep(52.0, 68.0, np.abs(lat)) * (1.0 - 0.65 * self.land)
-        marine = 0.75 * smoothstep(36.0, 50.0, np.abs(lat)) * (1.0 - self.land)
-        amount = np.maximum(np.maximum(deck, 0.9 * polar), marine)
-        amount = 0.77 + 0.20 * smoothstep(0.1, 1.0, amount) - 0.25 * self.land * (1.0 - polar)
-        return layer * (amount + 0.10 * cells)
+        marine = 0.5 * smoothstep(36.0, 50.0, np.abs(lat)) * (1.0 - self.land)
+        amount = np.maximum(np.maximum(deck, 0.45 * polar), marine)
+        amount = 0.76 + 0.22 * smoothstep(0.1, 0.75, amount) - 0.22 * self.land * (1.0 - polar)
+        return layer * (amount + 0.13 * cells)
 
 
 def moist_temperature(virtual, relative, pressure, z):

@@ -79,7 +79,7 @@ JET_PROFILES = [Profile(lambda z: z / 1.55 * np.exp(0.5 * (1.0 - (z / 1.55) ** 2
 
 
 def wave_profile(ground, top, tilt):
-    """A wave's G(Z): `ground` at the ground, 1 near Z = 1.2, `top`-wide above; leaning west by `tilt` radians below 300 hPa."""
+    """A wave's G(Z): `ground` at the ground, 1 near Z = 1.2, fading above over sqrt(`top`); leans west by `tilt` radians."""
     def g(z):
         s = np.tanh(z / 0.7)
         return ((ground + (1.0 - ground) * s * s) * np.exp(-np.maximum(z - 1.2, 0.0) ** 2 / top)
@@ -88,12 +88,13 @@ def wave_profile(ground, top, tilt):
 
 
 WAVE_PROFILES = [wave_profile(0.50, 2.2, 1.3), wave_profile(0.75, 1.2, 1.0), wave_profile(0.1, 0.8, 0.6)]
-CENTRE_PROFILE = Profile(lambda z: np.exp(-0.5 * (z / 0.75) ** 2) + 0j)
+CENTRE_PROFILE = Profile(lambda z: np.exp(-0.5 * (z / 0.75) ** 2))
 
 # Lasting highs and lows: latitude, longitude, widths (degrees of arc), metres of geopotential height at the ground.
-CENTRES = [(33, -140, 11, 17, 70), (33, -35, 10, 16, 65), (-29, -95, 10, 16, 70), (-28, -8, 9, 14, 60),
-           (-31, 85, 9, 18, 65), (55, -170, 9, 15, -55), (62, -28, 8, 13, -60), (27, 70, 9, 14, -35),
-           (50, 100, 12, 20, 60), (-24, 134, 8, 12, -25), (32, -108, 8, 9, -25), (-66, 100, 7, 25, -30), (-66, -140, 7, 22, -30)]
+CENTRES = [(33, -140, 11, 17, 45), (33, -35, 10, 16, 40), (-29, -95, 10, 16, 50), (-28, -8, 9, 14, 45),
+           (-31, 85, 9, 18, 45), (55, -170, 9, 15, -90), (62, -28, 8, 13, -95), (27, 70, 9, 14, -35),
+           (50, 100, 12, 20, 45), (-24, 134, 8, 12, -25), (32, -108, 8, 9, -25),
+           (-66, 100, 7, 25, -50), (-66, -140, 7, 22, -50)]
 
 
 class Waves:
@@ -132,6 +133,17 @@ class Waves:
             out["north"] = out["north"] + slope[:, None] * zonal
             out["time"] = out["time"] - 1j * m * spin * shape * zonal
         return out
+
+
+LOW_SCALE = 8000.0  # J/kg
+
+
+def deeper_lows(groups):
+    """The H of what makes lows deeper and smaller than highs: -(Re H)**2 / LOW_SCALE of the travelling waves."""
+    h = {key: sum(np.real(group[key]) for group, _ in groups) for key in groups[0][0]}
+    out = {key: -2.0 * h["value"] * h[key] / LOW_SCALE for key in ("east", "north", "time")}
+    out["value"] = -h["value"] ** 2 / LOW_SCALE
+    return out
 
 
 def lasting_centres(lat, lon):
@@ -183,6 +195,7 @@ class Columns:
         self.first = [np.interp(lat, flow.fine, i)[:, None] for i in flow.first]
         self.second = [[np.interp(lat, flow.fine, j)[:, None] for j in row] for row in flow.second]
         self.groups = [(w.derivatives(lat, lon, time), g) for w, g in zip(flow.waves, WAVE_PROFILES)]
+        self.groups.append((deeper_lows(self.groups[:2]), CENTRE_PROFILE))
         self.groups.append((lasting_centres(lat, lon), CENTRE_PROFILE))
         f = coriolis(self.lat)
         self.inverse_f = f / (f * f + coriolis(2.0) ** 2)  # the waves vanish where this differs from 1/f

@@ -28,7 +28,7 @@ def saturation_humidity(temperature, pressure):
 
 def critical_humidity(sigma):
     """RHcrit of a level whose pressure is `sigma` times that of the ground: high near the ground, lower aloft."""
-    return 0.64 + 0.24 * sigma**6 + 0.06 * (1.0 - smoothstep(0.12, 0.35, sigma))
+    return 0.64 + 0.24 * sigma**3 + 0.04 * (1.0 - smoothstep(0.12, 0.35, sigma))
 
 
 def cloud_fraction(relative_humidity, critical):

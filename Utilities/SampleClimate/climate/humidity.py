@@ -3,20 +3,20 @@
 
 Every point of every level is followed back through the wind for 48 hours. The parcel starts with the
 climatological humidity of where it came from, is moistened by the boundary layer and by deep convection on its way, and loses
-what exceeds saturation. Rising air on the poleward branch of a cyclone so becomes its comma-shaped
-cloud, and sinking air the dry slot and the clear subtropics. (The method: Pierrehumbert, Brogniez and Roca 2007, The relative humidity of the
-atmosphere.) Irregularity comes from random waves that drift with the parcels: each is laid down at a
-multiple of 24 hours, grows until a day later and fades until two days later.
+what exceeds saturation. So air that rises ahead of a cyclone becomes its comma-shaped cloud, and sinking
+air the dry slot and the clear subtropics (the advection-condensation model: Pierrehumbert, Brogniez and
+Roca 2007, The relative humidity of the atmosphere). Irregularity comes from random waves that drift with the
+parcels: each is laid down at a multiple of 24 hours, grows for a day and fades for another.
 """
 import numpy as np
 
-from .balance import P0, coriolis
+from .balance import P0, gaussian
 from .clouds import saturation_humidity
-from .sphere import GRAVITY, HOUR, RADIUS, RandomWaves, bump, smoothstep, unit_vectors
+from .sphere import HOUR, RADIUS, RandomWaves, bump, smoothstep, unit_vectors
 
 STEP = 3.0 * HOUR  # of a trajectory
 MEMORY = 48.0 * HOUR  # length of a trajectory
-WETTEST = 0.95  # rain leaves a grid box this near to saturation
+WETTEST = 0.97  # rain leaves a grid box this near to saturation
 ANCHOR = 24.0 * HOUR  # between the noises
 
 
@@ -25,9 +25,9 @@ class Overturning:
 
     def __init__(self):
         self.lat = np.linspace(-90.0, 90.0, 1801)
-        g = lambda centre, width: np.exp(-0.5 * ((self.lat - centre) / width) ** 2)
         weight = np.cos(np.radians(self.lat))
-        rise, sink = g(7.0, 5.5), 0.8 * g(27.0, 7.5) + g(-22.0, 9.0)
+        rise = gaussian(self.lat, 7.0, 5.5)
+        sink = 0.8 * gaussian(self.lat, 27.0, 7.5) + gaussian(self.lat, -22.0, 9.0)
         self.rise = 0.055 * rise
         self.sink = -0.055 * sink * np.sum(rise * weight) / np.sum(sink * weight)
         flux = np.cumsum((self.rise + self.sink) * weight) * np.radians(0.1) * RADIUS
@@ -39,7 +39,7 @@ class Overturning:
         `activity` is Convection's on (lat, lon)."""
         s = np.clip((pressure - 1.1e4) / 8.7e4, 0.0, 1.0)
         mean = np.mean(activity, axis=-1, keepdims=True)
-        gathered = 1.3 * (activity + 0.02) / (mean + 0.02) - 0.3
+        gathered = 1.7 * (activity + 0.08) / (mean + 0.08) - 0.7
         lift = np.interp(lat, self.lat, self.sink) + np.interp(lat, self.lat, self.rise) * gathered
         return -lift * np.sin(np.pi * s)
 
@@ -55,24 +55,26 @@ class Convection:
 
     def __init__(self, rng, terrain):
         self.terrain = terrain
-        self.clusters = RandomWaves(rng, 7, 34, slope=-0.4, count=140, period=60.0 * HOUR)
+        self.clusters = RandomWaves(rng, 9, 34, slope=-0.2, count=140, period=60.0 * HOUR)
+        self.meander = RandomWaves(rng, 4, 12, count=60)
         self.envelope = RandomWaves(rng, 2, 7, count=60, period=200.0 * HOUR)
 
     def zones(self, lat, lon):
         wave = np.radians(lon)
         axis = 6.5 + 2.5 * np.sin(wave + 1.0) + 1.5 * np.sin(3.0 * wave + 0.4)
-        band = 0.95 * np.exp(-0.5 * ((lat - axis) / 4.2) ** 2)
-        pool = 0.85 * bump(lat, lon, 1, 120, 8, 32) + 0.75 * bump(lat, lon, -3, -60, 8, 11)
-        pool = pool + 0.7 * bump(lat, lon, 2, 20, 8, 12) + 0.75 * bump(lat, lon, -14, -170, 5, 24, -28)
-        pool = pool + 0.55 * bump(lat, lon, -16, -42, 4, 15, -35) + 0.5 * bump(lat, lon, 14, 95, 6, 14)
+        axis = axis + 2.2 * self.meander(unit_vectors(lat, lon))
+        band = 0.9 * np.exp(-0.5 * ((lat - axis) / 4.8) ** 2)
+        pool = 0.62 * bump(lat, lon, 1, 120, 8, 32) + 0.85 * bump(lat, lon, -3, -60, 8, 11)
+        pool = pool + 0.85 * bump(lat, lon, 2, 20, 8, 12) + 0.75 * bump(lat, lon, -14, -170, 5, 24, -28)
+        pool = pool + 0.55 * bump(lat, lon, -16, -42, 4, 15, -35) + 0.35 * bump(lat, lon, 14, 95, 6, 14)
         return np.maximum(band, pool) + 0.25 * np.minimum(band, pool)
 
     def __call__(self, lat, lon, time):
         west = np.degrees(6.0 * time / RADIUS)  # easterly waves, 6 m/s
-        noise = 0.75 * self.clusters(unit_vectors(lat, lon + west), time=time)
-        noise = noise + 0.55 * self.envelope(unit_vectors(lat, lon - 0.8 * west), time=time)
+        noise = 0.85 * self.clusters(unit_vectors(lat, lon + west), time=time)
+        noise = noise + 0.6 * self.envelope(unit_vectors(lat, lon - 0.8 * west), time=time)
         zone = self.zones(lat, lon)
-        return smoothstep(0.15, 1.0, zone + 0.5 * noise * np.sqrt(zone) - 0.30)
+        return smoothstep(0.1, 0.8, 0.7 * zone + 0.75 * noise * np.sqrt(zone) - 0.32)
 
 
 # Cold upwelling off west coasts: latitude, longitude, widths (degrees of arc), strength.
@@ -101,22 +103,23 @@ class Sources:
         activity = self.convection(lat, lon, time)
         desert = self.deserts(lat, lon)
         storm = smoothstep(30.0, 50.0, np.abs(lat))
-        depth = 0.13 + 0.09 * storm + 0.04 * activity
+        depth = 0.13 + 0.07 * storm + 0.04 * activity
         near = smoothstep(1.6, 0.6, z / depth)
         near_rate = near / (10.0 * HOUR)
-        near_target = 0.82 + 0.05 * storm - 0.45 * desert - 0.06 * self.terrain.land(lat, lon)
+        near_target = 0.78 + 0.01 * storm - 0.45 * desert - 0.06 * self.terrain.land(lat, lon)
         tower = smoothstep(0.0, 0.15, z) * smoothstep(2.15, 1.75, z)
         tower_rate = activity * tower / (7.0 * HOUR)
         tower_target = 0.86 + 0.16 * np.exp(-0.5 * ((z - 1.45) / 0.3) ** 2) + 0.06 * np.exp(-0.5 * ((z - 0.2) / 0.15) ** 2)
-        slow = 1.0 / (72.0 * HOUR)
+        slow = 1.0 / (54.0 * HOUR)
         rate = near_rate + tower_rate + slow
         return rate, near_rate * near_target + tower_rate * tower_target + slow * climatology(lat, z, desert)
 
 
 def climatology(lat, z, desert):
     """A first guess of relative humidity: moist storm tracks and Equator, dry subtropics, drier upward."""
-    moist = 0.28 * np.exp(-0.5 * ((lat - 5.0) / 11.0) ** 2)
-    moist = moist + 0.45 * smoothstep(22.0, 48.0, np.abs(lat)) - 0.12 * smoothstep(58.0, 75.0, np.abs(lat))
+    moist = 0.12 * np.exp(-0.5 * ((lat - 5.0) / 11.0) ** 2)
+    moist = moist + 0.45 * smoothstep(20.0, 46.0, np.abs(lat)) - 0.20 * smoothstep(58.0, 75.0, np.abs(lat))
+    moist = moist + 0.22 * np.exp(-0.5 * ((z - 1.55) / 0.3) ** 2) * np.exp(-0.5 * ((lat - 4.0) / 16.0) ** 2)
     low = np.exp(-np.maximum(z, 0.0) / 0.25)
     return np.clip((0.30 + moist) * (1.0 - 0.25 * desert) + 0.30 * low * (1.0 - desert), 0.05, 0.92)
 
@@ -171,7 +174,8 @@ def upslope(columns, terrain, lat, lon, z, east, north):
     """dZ/dt (1/s) of air that is driven over mountains, fading with height above 700 hPa."""
     y, x, step = lat[:, None], lon[None, :], 0.5
     slope_x = (terrain.altitude(y, x + step) - terrain.altitude(y, x - step)) / np.radians(2 * step)
-    slope_y = (terrain.altitude(np.minimum(y + step, 90), x) - terrain.altitude(np.maximum(y - step, -90), x)) / np.radians(2 * step)
+    slope_y = terrain.altitude(np.minimum(y + step, 90), x) - terrain.altitude(np.maximum(y - step, -90), x)
+    slope_y = slope_y / np.radians(2 * step)
     cosine = np.maximum(np.cos(np.radians(y)), 0.1)
     rise = (east * slope_x / cosine + north * slope_y) / RADIUS
     return np.clip(rise, -0.02, 0.02) / 8000.0 * np.exp(-((z / 0.9) ** 2)) * smoothstep(85.0, 70.0, np.abs(y))
@@ -185,7 +189,8 @@ class Humidity:
         self.overturning = Overturning()
         self.sources = Sources(rng, terrain)
         self.texture_seed = rng.integers(2**31)
-        self.cells = RandomWaves(rng, 12, max(14, min(60, finest)), slope=-0.3, count=200, period=40.0 * HOUR, vertical=3.0)
+        self.cells = RandomWaves(rng, 6, max(8, min(60, 0.75 * finest)), slope=-0.3, count=200, period=40.0 * HOUR,
+                                 vertical=3.0)
         self.finest = finest
         self.airs, self.textures = {}, {}
 
@@ -198,7 +203,8 @@ class Humidity:
         """The noise that was laid down at time anchor * 24 h."""
         if anchor not in self.textures:
             rng = np.random.default_rng([int(self.texture_seed), anchor + 1000])
-            self.textures[anchor] = RandomWaves(rng, 4, max(6, min(40, 0.9 * self.finest)), slope=-0.25, count=150, vertical=5.0)
+            self.textures[anchor] = RandomWaves(rng, 5, max(7, min(40, self.finest)), slope=0.0, count=180,
+                                                vertical=2.2)
         return self.textures[anchor]
 
     def history(self, position, height, slot):
@@ -220,7 +226,7 @@ class Humidity:
         humidity = texture = None
         for back in range(len(path) - 1, -1, -1):
             here, (p, z) = self.air(slot - back), path[back]
-            rate, gain, saturation = here.look_up(here.water, p, z).T
+            rate, gain, saturation = np.ascontiguousarray(here.look_up(here.water, p, z).T)
             saturation = np.exp(saturation)
             target = gain / rate * saturation
             if humidity is None:
