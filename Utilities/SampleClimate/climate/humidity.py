@@ -2,8 +2,8 @@
 """Humidity by advection and condensation along two days of trajectories.
 
 Every point of every level is followed back through the wind for 48 hours. The parcel starts with the
-climatological humidity of where it came from, is moistened by the boundary layer and by deep convection on its way, and loses
-what exceeds saturation. So air that rises ahead of a cyclone becomes its comma-shaped cloud, and sinking
+climatological humidity of where it came from, is moistened on its way by the boundary layer and by deep
+convection, and loses what exceeds saturation. So air that rises ahead of a cyclone becomes its comma-shaped cloud, and sinking
 air the dry slot and the clear subtropics (the advection-condensation model: Pierrehumbert, Brogniez and
 Roca 2007, The relative humidity of the atmosphere). Irregularity comes from random waves that drift with the
 parcels: each is laid down at a multiple of 24 hours, grows for a day and fades for another.
