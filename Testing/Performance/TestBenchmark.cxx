@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The framework and what its groups promise, on small sizes; times are not asserted here.
+#include "Benchmark.h"
+#include "ShellCase.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <vector>
+
+using namespace nephoscope::performance;
+
+namespace
+{
+/// Takes memory, and fails or dies on request.
+class Rehearsal : public Job
+{
+public:
+  void run() override
+  {
+    if (++this->Runs == this->Failing)
+    {
+      throw std::runtime_error("failed in run " + std::to_string(this->Runs));
+    }
+    if (this->Runs == this->Dying)
+    {
+      std::abort();
+    }
+    std::vector<char> block(std::size_t(64) << 20, 1);
+    this->Sum += block[block.size() / 2];
+  }
+  Figures figures() override { return { { "error", 0.25 }, { "runs", this->Runs } }; }
+  int Runs = 0;
+  int Failing = 0;
+  int Dying = 0;
+  int Sum = 0;
+};
+
+Method rehearsal(int failing = 0, int dying = 0)
+{
+  Method method;
+  method.name = "Rehearsal";
+  method.group = "rehearsal";
+  method.settings = { { "speed", "slow" }, { "tempo", "3/4" } };
+  method.prepare = [=](const Situation&)
+  {
+    auto job = std::make_unique<Rehearsal>();
+    job->Failing = failing;
+    job->Dying = dying;
+    return job;
+  };
+  return method;
+}
+
+std::vector<Method> group(const std::string& name)
+{
+  std::vector<Method> found;
+  for (const Method& method : methods())
+  {
+    if (method.group == name)
+    {
+      found.push_back(method);
+    }
+  }
+  return found;
+}
+
+Situation smallSituation()
+{
+  Situation situation;
+  situation.points = { 41, 24, 7 };
+  situation.pixels = { 64, 48 };
+  return situation;
+}
+}
+
+TEST(Benchmark, CountsRunsMemoryAndFigures)
+{
+  const auto result = measure({ rehearsal() }, {}, { 4, 60 }, {});
+  ASSERT_EQ(result.size(), 1U);
+  const Measurement& m = result[0];
+  EXPECT_EQ(m.leftOut, "");
+  EXPECT_EQ(m.seconds.size(), 4U);
+  EXPECT_EQ(m.figures.at("runs"), 5);
+  EXPECT_EQ(m.figures.at("error"), 0.25);
+  EXPECT_GT(m.median(), 0);
+  EXPECT_GT(m.peakMemory - m.inputMemory, 60e6);
+  EXPECT_LT(m.peakMemory - m.inputMemory, 80e6);
+  EXPECT_EQ(m.method.label(), "Rehearsal (speed slow, tempo 3/4)");
+}
+
+TEST(Benchmark, StopsWhenTheSecondsAreUsed)
+{
+  const auto result = measure({ rehearsal() }, {}, { 1000, 0 }, {});
+  EXPECT_EQ(result[0].seconds.size(), 0U);
+  EXPECT_EQ(result[0].median(), result[0].firstSeconds);
+}
+
+TEST(Benchmark, AFailureOrADeathIsToldAndTheOthersGoOn)
+{
+  const auto result = measure({ rehearsal(2), rehearsal(0, 2), rehearsal() }, {}, { 2, 60 }, {});
+  EXPECT_EQ(result[0].leftOut, "failed in run 2");
+  EXPECT_EQ(result[1].leftOut, "its process ended before it answered");
+  EXPECT_EQ(result[2].leftOut, "");
+  EXPECT_EQ(result[2].seconds.size(), 2U);
+}
+
+TEST(Benchmark, MedianAndSpreadAreThoseOfTheRuns)
+{
+  Measurement m;
+  m.seconds = { 5, 1, 4, 2, 3 };
+  EXPECT_DOUBLE_EQ(m.median(), 3);
+  EXPECT_DOUBLE_EQ(m.spread(), 1);
+}
+
+TEST(Benchmark, WhatIsTooMuchForAMethodIsLeftOut)
+{
+  Method method = rehearsal();
+  method.mostCells = 10;
+  const auto result = measure({ method }, smallSituation(), { 1, 1 }, {});
+  EXPECT_NE(result[0].leftOut.find("minutes"), std::string::npos);
+}
+
+TEST(ShellCase, PlacesAndPositionsAreInverse)
+{
+  const Situation s = smallSituation();
+  for (int n = 1; n < 200; ++n)
+  {
+    const shell::Place p = shell::placeOnGrid(s, n * 0.2, (n * 7 % 23) + 0.5, (n * 5 % 13) * 0.45);
+    const shell::Place back = shell::place(shell::position(p));
+    EXPECT_NEAR(back.longitude, p.longitude, 1e-12);
+    EXPECT_NEAR(back.latitude, p.latitude, 1e-12);
+    EXPECT_NEAR(back.eta, p.eta, 1e-10);
+  }
+}
+
+TEST(ContourMethods, TheSameTetrahedraGiveTheSameSurface)
+{
+  // Merged or not, with normals or not, and by our lattice without tetrahedra: one surface.
+  std::vector<Method> onTetrahedra;
+  for (const Method& method : group("contour"))
+  {
+    if (method.settings.count("grid") == 0)
+    {
+      onTetrahedra.push_back(method);
+    }
+  }
+  ASSERT_GE(onTetrahedra.size(), 3U);
+  Situation
+    situation; // so many triangles that what a float coordinate rounds off averages to less than 1e-9
+  situation.points = { 320, 160, 10 };
+  const auto result = measure(onTetrahedra, situation, { 0, 60 }, {});
+  const Figures& first = result[0].figures;
+  EXPECT_GT(first.at("triangles"), 1000);
+  for (const Measurement& m : result)
+  {
+    ASSERT_EQ(m.leftOut, "") << m.method.label();
+    EXPECT_EQ(m.figures.at("triangles"), first.at("triangles")) << m.method.label();
+    EXPECT_NEAR(m.figures.at("area") / first.at("area"), 1, 1e-9) << m.method.label();
+  }
+}
+
+TEST(ContourMethods, ErrorsFallWithTheSpacing)
+{
+  // Linear interpolation is of second order: four times less for half the spacing once the shortest wave, 9 points long here,
+  // is resolved, and at least 2.5 times on the way there.
+  Situation coarse;
+  coarse.points = { 320, 160, 6 };
+  Situation fine;
+  fine.points = { 640, 320, 11 };
+  std::vector<Method> all; // one of each class: its other settings draw the same surface
+  for (const Method& method : group("contour"))
+  {
+    if (all.empty() || all.back().name != method.name)
+    {
+      all.push_back(method);
+    }
+  }
+  const auto rough = measure(all, coarse, { 0, 60 }, {});
+  const auto smooth = measure(all, fine, { 0, 60 }, {});
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    const double ratio = rough[i].figures.at("error") / smooth[i].figures.at("error");
+    EXPECT_GT(ratio, 2.5) << all[i].label();
+    EXPECT_LT(ratio, 5) << all[i].label();
+  }
+}
+
+TEST(VolumeMethods, EachDrawsTheShellOrSaysWhyNot)
+{
+  Situation situation = smallSituation();
+  situation.pixels = { 160, 120 };
+  for (const Measurement& m : measure(group("volume"), situation, { 1, 60 }, {}))
+  {
+    if (m.method.window && !haveDisplay())
+    {
+      EXPECT_NE(m.leftOut.find("xvfb-run"), std::string::npos) << m.method.label();
+      continue;
+    }
+    ASSERT_EQ(m.leftOut, "") << m.method.label();
+    EXPECT_GT(m.figures.at("pixelsCompared"), 1000);
+    // Peers: 8 bits and, on an image, another sampling; ours: single precision.
+    EXPECT_LT(m.figures.at("error"), m.method.ours ? 1e-5 : 0.25) << m.method.label();
+    EXPECT_LT(m.figures.at("largestError"), m.method.ours ? 1e-5 : 1) << m.method.label();
+    std::printf("%-70s first %.3f s, then %.3f s, error %.2g, largest %.2g\n",
+      m.method.label().c_str(), m.firstSeconds, m.median(), m.figures.at("error"),
+      m.figures.at("largestError"));
+  }
+}
