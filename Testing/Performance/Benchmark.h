@@ -36,12 +36,9 @@ struct Situation
   std::array<int, 3> points{ 320, 160, 19 }; ///< of the grid, along longitude, latitude, level
   std::array<int, 2> pixels{ 1024, 768 };    ///< of the picture
   int threads = 2;
+  bool doublePoints = false; ///< the grid's coordinates as double, else float
 
   long long cells() const { return (points[0] - 1LL) * (points[1] - 1LL) * (points[2] - 1LL); }
-  bool operator==(const Situation& other) const
-  {
-    return points == other.points && pixels == other.pixels && threads == other.threads;
-  }
 };
 
 using Figures = std::map<std::string, double>;

@@ -3,8 +3,8 @@
 // square over the surface of the true cloud fraction minus 0.15).
 #include "ShellCase.h"
 
-#include "CloudArrays.h"
 #include "vtkCellArray.h"
+#include "vtkCloudContour.h"
 #include "vtkContour3DLinearGrid.h"
 #include "vtkContourFilter.h"
 #include "vtkFlyingEdges3D.h"
@@ -121,6 +121,20 @@ std::unique_ptr<Job> linearGrid(const Situation& situation, bool merge, bool nor
       filter->SetInterpolateAttributes(false);
     });
 }
+
+std::unique_ptr<Job> cloudContour(const Situation& situation, bool normals)
+{
+  return std::make_unique<ContourJob<vtkCloudContour>>(shell::structuredGrid(situation),
+    shell::place, [normals](vtkCloudContour* filter) { filter->SetComputeNormals(normals); });
+}
+
+const Registration ourContour(
+  { "vtkCloudContour", "contour", { { "points", "merged" }, { "normals", "yes" } }, true, false, 0,
+    [](const Situation& s) { return cloudContour(s, true); } });
+
+const Registration ourContourWithoutNormals(
+  { "vtkCloudContour", "contour", { { "points", "merged" }, { "normals", "no" } }, true, false, 0,
+    [](const Situation& s) { return cloudContour(s, false); } });
 
 const Registration linearGridMerged(
   { "vtkContour3DLinearGrid", "contour", { { "points", "merged" }, { "normals", "yes" } }, false,

@@ -113,7 +113,7 @@ double interpolated(const Situation& s, vtkFloatArray* grid, const Place& place)
 vtkSmartPointer<vtkPoints> gridPoints(const Situation& s)
 {
   auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetDataTypeToFloat();
+  points->SetDataType(s.doublePoints ? VTK_DOUBLE : VTK_FLOAT);
   points->SetNumberOfPoints(numberOfPoints(s));
   for (vtkIdType p = 0; p < points->GetNumberOfPoints(); ++p)
   {

@@ -33,7 +33,8 @@ namespace performance
 {
 namespace shell
 {
-constexpr double ContourValue = 0.15;
+constexpr double ContourValue =
+  0.15F;                          // a float, as the values are: some filters round it, some do not
 constexpr double Extinction = 40; ///< per radius of the globe where cloud fraction is 1
 constexpr double Top = 0.05;
 
@@ -52,7 +53,7 @@ Place place(const Vector3& position); ///< the inverse; eta < 0 or > 1 outside t
 /// Grid coordinates (i, j, k), not only whole, to a place.
 Place placeOnGrid(const Situation& situation, double i, double j, double k);
 
-/// The grid with its cloud fraction, float points and values.
+/// The grid with its cloud fraction, float.
 vtkSmartPointer<vtkStructuredGrid> structuredGrid(const Situation& situation);
 /// Each cell as five tetrahedra, alternating so that neighbours agree; the same points and values.
 vtkSmartPointer<vtkUnstructuredGrid> tetrahedra(const Situation& situation);

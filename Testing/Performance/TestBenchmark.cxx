@@ -158,7 +158,10 @@ TEST(ContourMethods, TheSameTetrahedraGiveTheSameSurface)
   {
     ASSERT_EQ(m.leftOut, "") << m.method.label();
     EXPECT_EQ(m.figures.at("triangles"), first.at("triangles")) << m.method.label();
-    EXPECT_NEAR(m.figures.at("area") / first.at("area"), 1, 1e-9) << m.method.label();
+    // Merging, vtkContour3DLinearGrid keeps where it cut an edge as a float.
+    const bool rounded = !m.method.ours && m.method.settings.at("points") == "merged";
+    EXPECT_NEAR(m.figures.at("area") / first.at("area"), 1, rounded ? 1e-8 : 1e-9)
+      << m.method.label();
   }
 }
 
