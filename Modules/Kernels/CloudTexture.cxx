@@ -195,8 +195,13 @@ double CloudTexture::value(const double x[3], double footprint) const
 
 double CloudTexture::opacity(const double x[3], double footprint, double rim) const
 {
+  return this->opacityOf(this->value(x, footprint), rim);
+}
+
+double CloudTexture::opacityOf(double value, double rim) const
+{
   const CloudTextureParameters& p = this->Parameters;
   const double threshold = p.threshold + (p.rimThreshold - p.threshold) * (1 - rim);
-  return std::min(std::max((this->value(x, footprint) - threshold) / p.range, 0.0), 1.0);
+  return std::min(std::max((value - threshold) / p.range, 0.0), 1.0);
 }
 }

@@ -77,6 +77,9 @@ public:
    */
   double opacity(const double x[3], double footprint = 0, double rim = 1) const;
 
+  /// Opacity where T is known.
+  double opacityOf(double value, double rim = 1) const;
+
   const CloudTextureParameters& parameters() const { return this->Parameters; }
 
 private:

@@ -37,7 +37,7 @@ endif ()
 set(Nephoscope_VTK_COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
   FiltersCore FiltersGeneral FiltersGeometry FiltersHybrid FiltersSources
-  IOImage IOXML RenderingCore RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2)
+  IOCore IOImage IOXML RenderingCore RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2)
 if (Nephoscope_WRAP_PYTHON)
   list(APPEND Nephoscope_VTK_COMPONENTS WrappingPythonCore WrappingTools)
 endif ()
