@@ -26,7 +26,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Reflectance of the sea, or of all if there is no land; linear RGB. Default (0.014, 0.042, 0.1), a dark blue.
+  /// Reflectance of the sea, or of all if there is no land; linear RGB. Default (0.01, 0.033, 0.08), a dark blue.
   vtkSetVector3Macro(SeaColor, double);
   vtkGetVector3Macro(SeaColor, double);
   ///@}
@@ -69,7 +69,7 @@ protected:
   nephoscope::Vector3 ColorAt(double longitude, double latitude, double footprint) const;
 #endif
 
-  double SeaColor[3] = { 0.014, 0.042, 0.1 };
+  double SeaColor[3] = { 0.01, 0.033, 0.08 };
   double LandColor[3] = { 0.13, 0.12, 0.065 };
   double LineColor[3] = { 0.22, 0.22, 0.2 };
   bool Land = false;

@@ -41,7 +41,7 @@ public:
   vtkGetVector3Macro(SkyColor, double);
   ///@}
   ///@{
-  /// Gardner's a, the sky's share of the light, 0 to 1. Default 0.3.
+  /// Gardner's a, the sky's share of the light, 0 to 1. Default 0.25.
   vtkSetClampMacro(Ambient, double, 0, 1);
   vtkGetMacro(Ambient, double);
   ///@}
@@ -58,7 +58,7 @@ protected:
   double TowardSun[3] = { 0, 0, 1 };
   double SunColor[3] = { 1, 0.97, 0.91 };
   double SkyColor[3] = { 0.62, 0.76, 1 };
-  double Ambient = 0.3;
+  double Ambient = 0.25;
 
 private:
   vtkCloudLitBody(const vtkCloudLitBody&) = delete;

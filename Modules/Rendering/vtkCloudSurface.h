@@ -76,7 +76,7 @@ public:
   ///@}
 
   ///@{
-  /// How far the sun's light creeps round the body, 0 (Lambert) to 1 (all round). Default 0.4.
+  /// How far the sun's light creeps round the body, 0 (Lambert) to 1 (all round). Default 0.25.
   vtkSetClampMacro(Wrap, double, 0, 1);
   vtkGetMacro(Wrap, double);
   ///@}
@@ -114,7 +114,8 @@ public:
   vtkGetMacro(TextureThreshold, double);
   ///@}
   ///@{
-  /// Gardner's T2: takes the threshold's place towards the outline. Default 0.5, which frays it.
+  /// Gardner's T2: takes the threshold's place towards the outline. Default 0.1, which frays it a little; on a
+  /// globe seen from space all that is near its limb is near the outline.
   vtkSetMacro(TextureRimThreshold, double);
   vtkGetMacro(TextureRimThreshold, double);
   ///@}
@@ -150,7 +151,7 @@ private:
   double Opacity = 1;
   double Color[3] = { 1, 1, 1 };
   bool BackFaces = false;
-  double Wrap = 0.4;
+  double Wrap = 0.25;
   double TextureShading = 0.2;
   double Specular = 0;
   double SpecularPower = 10;
@@ -158,7 +159,7 @@ private:
   int TextureOctaves = 7;
   double TextureOffset = 0.22;
   double TextureThreshold = 0.03;
-  double TextureRimThreshold = 0.5;
+  double TextureRimThreshold = 0.1;
   double TextureRange = 0.25;
   int TextureSeed = 1;
 

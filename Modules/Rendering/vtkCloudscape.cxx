@@ -79,6 +79,7 @@ public:
     , Backdrop(scape->GetBackdrop())
     , Image(picture)
     , Edge(scape->GetTileSize())
+    , Samples(scape->GetSamples())
     , TilesAcross((picture.Width + this->Edge - 1) / this->Edge)
     , Caller(std::this_thread::get_id())
   {
@@ -114,46 +115,72 @@ private:
     Local& local = this->Locals.Local();
     const int x0 = static_cast<int>(number % this->TilesAcross) * this->Edge;
     const int y0 = static_cast<int>(number / this->TilesAcross) * this->Edge;
-    local.Tile.reset({ x0, y0, std::min(this->Edge, this->Image.Width - x0),
-      std::min(this->Edge, this->Image.Height - y0) });
+    const nephoscope::TileExtent pixels{ x0, y0, std::min(this->Edge, this->Image.Width - x0),
+      std::min(this->Edge, this->Image.Height - y0) };
+    const int n = this->Samples;
+    local.Tile.reset({ n * pixels.x0, n * pixels.y0, n * pixels.width, n * pixels.height });
     for (const vtkCloudBody* body : this->Bodies)
     {
       body->Emit(this->Camera, local.Tile);
     }
     this->Segments += static_cast<vtkIdType>(local.Tile.numberOfSegments());
     local.Tile.composite(local.Light);
-    this->Write(local.Tile.extent(), local.Light);
+    local.Depths.resize(static_cast<std::size_t>(n) * n);
+    for (int y = 0; y < pixels.height; ++y)
+    {
+      for (int x = 0; x < pixels.width; ++x)
+      {
+        this->WritePixel(pixels, x, y, local);
+      }
+    }
   }
 
-  void Write(const nephoscope::TileExtent& extent, const std::vector<nephoscope::PixelLight>& light)
+  struct Local;
+  /// The mean of the pixel's samples, the backdrop behind them; the median of their depths.
+  void WritePixel(const nephoscope::TileExtent& pixels, int x, int y, Local& local)
   {
-    std::size_t next = 0;
-    for (int y = extent.y0; y < extent.y0 + extent.height; ++y)
+    const int n = this->Samples;
+    double radiance[3] = { 0, 0, 0 };
+    double transmittance[3] = { 0, 0, 0 };
+    std::size_t sample = 0;
+    for (int j = n * y; j < n * (y + 1); ++j)
     {
-      for (int x = extent.x0; x < extent.x0 + extent.width; ++x, ++next)
+      for (int i = n * x; i < n * (x + 1); ++i, ++sample)
       {
-        const nephoscope::PixelLight& pixel = light[next];
-        const std::size_t at = static_cast<std::size_t>(y) * this->Image.Width + x;
+        const nephoscope::PixelLight& light =
+          local.Light[static_cast<std::size_t>(j) * n * pixels.width + i];
         float behind[3] = { 0, 0, 0 };
         if (this->Backdrop)
         {
-          const nephoscope::Ray ray = this->Camera.ray(x + 0.5, y + 0.5);
+          const nephoscope::Ray ray =
+            this->Camera.ray(n * pixels.x0 + i + 0.5, n * pixels.y0 + j + 0.5);
           this->Backdrop->GetRadiance(ray.direction.v, behind);
         }
         for (int c = 0; c < 3; ++c)
         {
-          this->Image.Radiance[3 * at + c] = pixel.radiance[c] + pixel.transmittance[c] * behind[c];
-          this->Image.Transmittance[3 * at + c] = pixel.transmittance[c];
+          radiance[c] += light.radiance[c] + light.transmittance[c] * behind[c];
+          transmittance[c] += light.transmittance[c];
         }
-        this->Image.Depth[at] = static_cast<float>(pixel.depth);
+        local.Depths[sample] = light.depth;
       }
     }
+    const std::size_t at =
+      static_cast<std::size_t>(pixels.y0 + y) * this->Image.Width + pixels.x0 + x;
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Image.Radiance[3 * at + c] = static_cast<float>(radiance[c] / (n * n));
+      this->Image.Transmittance[3 * at + c] = static_cast<float>(transmittance[c] / (n * n));
+    }
+    const auto middle = local.Depths.begin() + (n * n - 1) / 2;
+    std::nth_element(local.Depths.begin(), middle, local.Depths.end());
+    this->Image.Depth[at] = static_cast<float>(*middle);
   }
 
   struct Local
   {
     nephoscope::DeepTile Tile;
     std::vector<nephoscope::PixelLight> Light;
+    std::vector<double> Depths;
   };
 
   vtkCloudscape* Scape;
@@ -162,6 +189,7 @@ private:
   const vtkCloudBackdrop* Backdrop;
   Picture Image;
   int Edge;
+  int Samples;
   int TilesAcross;
   std::thread::id Caller;
   std::atomic<vtkIdType> Done{ 0 };
@@ -264,10 +292,11 @@ bool vtkCloudscape::Validate()
   }
   for (const int size : this->Size)
   {
-    if (size < 1 || size > MaximumSize)
+    if (size < 1 || size > MaximumSize / this->Samples)
     {
       vtkErrorMacro("The picture's size " << this->Size[0] << " x " << this->Size[1]
-                                          << " is not within 1 to " << MaximumSize << " pixels.");
+                                          << " is not within 1 to " << MaximumSize / this->Samples
+                                          << " pixels.");
       return false;
     }
   }
@@ -313,7 +342,8 @@ int vtkCloudscape::RequestData(
   this->UpdateBodies();
   const double updated = vtkTimerLog::GetUniversalTime();
 
-  const nephoscope::Camera camera = cameraOf(this->Camera, this->Size);
+  const int rays[2] = { this->Samples * this->Size[0], this->Samples * this->Size[1] };
+  const nephoscope::Camera camera = cameraOf(this->Camera, rays);
   std::vector<vtkCloudBody*> bodies(this->Bodies.begin(), this->Bodies.end());
   std::stable_partition(
     bodies.begin(), bodies.end(), [](const vtkCloudBody* body) { return body->IsOpaque(); });
@@ -356,6 +386,7 @@ void vtkCloudscape::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Size: " << this->Size[0] << " x " << this->Size[1] << '\n';
   os << indent << "TileSize: " << this->TileSize << '\n';
+  os << indent << "Samples: " << this->Samples << '\n';
   os << indent << "Camera: " << this->Camera.Get() << '\n';
   os << indent << "Backdrop: " << this->Backdrop.Get() << '\n';
   os << indent << "Bodies: " << this->Bodies.size() << '\n';

@@ -11,7 +11,9 @@
 #include "vtkSphereSource.h"
 #include "vtkTestErrorObserver.h"
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace
 {
@@ -124,6 +126,43 @@ TEST_F(CloudSurface, SilhouetteOfASphereHasTheAreaOfItsCone)
   // The 96-sided mesh lies inside the sphere, by up to 1 - cos(pi/64)^2 = 0.24 % of the area.
   EXPECT_LT(hidden, circle * 1.0005);
   EXPECT_GT(hidden, circle * 0.9971);
+}
+
+TEST_F(CloudSurface, SamplesAreAveragedAndTheirDepthIsTheMedian)
+{
+  // Three rays a pixel each way: the picture of three times the size, averaged.
+  vtkNew<vtkCloudGradedBackdrop> backdrop;
+  backdrop->SetZenith(0, 1, 0);
+  backdrop->SetNadir(1, 0, 0);
+  this->Scape->SetBackdrop(backdrop);
+  this->Surface->SetOpacity(0.5);
+  this->Surface->SetBackFaces(true);
+  this->Scape->SetSize(3 * Width, 3 * Height);
+  this->Draw({ this->Surface });
+  vtkNew<vtkImageData> fine;
+  fine->DeepCopy(this->Scape->GetOutput());
+  this->Scape->SetSize(Width, Height);
+  this->Scape->SetSamples(3);
+  this->Draw({ this->Surface });
+  for (const char* name : { nephoscope::arrays::Radiance, nephoscope::arrays::Depth })
+  {
+    vtkDataArray* const array = fine->GetPointData()->GetArray(name);
+    for (int y = 0; y < Height; ++y)
+    {
+      for (int x = 0; x < Width; ++x)
+      {
+        std::vector<double> values;
+        for (int s = 0; s < 9; ++s)
+        {
+          values.push_back(array->GetComponent((3 * y + s / 3) * 3 * Width + 3 * x + s % 3, 0));
+        }
+        std::sort(values.begin(), values.end());
+        const double mean = std::accumulate(values.begin(), values.end(), 0.0) / 9;
+        const bool depth = name == nephoscope::arrays::Depth;
+        ASSERT_FLOAT_EQ(this->At(name, x, y), depth ? values[4] : mean) << x << ' ' << y;
+      }
+    }
+  }
 }
 
 TEST_F(CloudSurface, ClosedSurfaceIsEnteredAndLeftOnceByEveryRay)

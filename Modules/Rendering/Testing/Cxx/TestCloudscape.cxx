@@ -154,6 +154,11 @@ TEST_F(Cloudscape, ErrorsSayWhatIsWrong)
   this->Scape->Update();
   EXPECT_NE(errors->GetErrorMessage().find("size 0 x 5"), std::string::npos);
   errors->Clear();
+  this->Scape->SetSize(16385, 5);
+  this->Scape->SetSamples(2);
+  this->Scape->Update();
+  EXPECT_NE(errors->GetErrorMessage().find("within 1 to 16384"), std::string::npos);
+  errors->Clear();
   this->Scape->SetSize(4, 5);
   this->Ball->Drawable = false;
   this->Scape->Update();
