@@ -28,6 +28,12 @@ inline constexpr const char* PotentialTemperature =
 // Point arrays of the transparency texture.
 inline constexpr const char* TextureCoordinates =
   "TextureCoordinates";                           ///< 3 components, m of the reference position
+inline constexpr const char* OtherTextureCoordinates =
+  "OtherTextureCoordinates"; ///< the same of a second texture that the first is cross-faded with
+inline constexpr const char* TextureWeights =
+  "TextureWeights"; ///< field data, double, the weights of the two; their sum is 1
+inline constexpr const char* TextureStretch =
+  "TextureStretch"; ///< 1 component, largest stretching of the coordinates of the heavier texture, 1 is none
 inline constexpr const char* Opacity = "Opacity"; ///< 1 component, 0..1, Gardner's 1 - TR
 
 // Point arrays of a picture (vtkImageData, float).

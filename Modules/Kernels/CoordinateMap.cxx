@@ -127,6 +127,12 @@ Stretch stretchAt(const AirMotion& air, const float* coordinates, int i, int j, 
   {
     return {};
   }
+  // Distances on the point's own level, which lies above the sphere by its scaled height.
+  const std::size_t point =
+    air.columns() * k + static_cast<std::size_t>(air.wind.grid->columns()) * j + i;
+  const double above = air.wind.grid->isSphere() && air.height[0]
+    ? 1 + air.heightScale * air.height[0][point] / air.wind.radius
+    : 1;
   const float* const c = coordinates + 3 * air.columns() * k;
   const auto difference = [c](int from, int to)
   {
@@ -145,6 +151,6 @@ Stretch stretchAt(const AirMotion& air, const float* coordinates, int i, int j, 
   const double root = std::sqrt(std::max(half * half - product, 0.0));
   const double large = half + root;
   const double small = large > 0 ? product / large : 0; // without cancellation
-  return { std::sqrt(large), std::sqrt(small) };
+  return { std::sqrt(large) / above, std::sqrt(small) / above };
 }
 }

@@ -57,7 +57,7 @@ struct Stretch
   double largest = 1;
   double smallest = 1;
 };
-/// @param coordinates C, 3 floats a point. Cells without width (pole rows) and single rows or columns give 1, 1.
+/// @param coordinates C, 3 floats a point; without heights in `air` they are taken to lie on the sphere. Cells without width (pole rows) and single rows or columns give 1, 1.
 Stretch stretchAt(const AirMotion& air, const float* coordinates, int i, int j, int k);
 }
 #endif

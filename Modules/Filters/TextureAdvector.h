@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TextureAdvector.h
+ * @brief The work of vtkCloudTextureAdvection without its pipeline: which times it needs, and what becomes of them.
+ *
+ * Use: begin(target); while (!isReady()) take(grid at nextTime()); then coordinates(...).
+ * Texture number m >= 0 starts at start(m) = first time + m period; number -1 starts at the first time as well.
+ */
+#ifndef TextureAdvector_h
+#define TextureAdvector_h
+
+#include "AirSnapshot.h"
+
+#include <map>
+#include <utility>
+
+namespace nephoscope
+{
+class TextureAdvector
+{
+public:
+  struct Settings
+  {
+    Integrator integrator = Integrator::RungeKutta2;
+    Interpolation interpolation = Interpolation::Linear;
+    double tolerance = 5000; ///< m
+    bool crossFade = true;
+    double restartPeriod = 0; ///< s, 0 from the strain
+  };
+
+  /// @param times of the file, s, rising; may be empty: no motion. Throws GridError if they do not rise.
+  TextureAdvector(const Settings& settings, std::vector<double> times);
+
+  /// Start on a time within the file's; what is known from before is used.
+  void begin(double target);
+  /// Whether all file times have been taken that the target needs.
+  bool isReady() const { return this->Known && this->Next > this->Last; }
+  /// The file time to take next.
+  double nextTime() const { return this->Times.empty() ? 0 : this->Times[this->Next]; }
+  /// Take the grid of nextTime(). Throws GridError.
+  void take(vtkStructuredGrid* grid);
+
+  /// Coordinates of the lighter-to-heavier textures at the target: 3 floats a point, m. Also forgets what later times do not need.
+  struct Result
+  {
+    std::vector<float> coordinates[2];
+    double weight[2] = { 1, 0 };
+    std::vector<float> stretch; ///< of the heavier
+  };
+  /// @param grid that of the target time, whose heights give the places if there are no file times
+  Result finish(vtkStructuredGrid* grid);
+
+  double period() const { return this->Period; } ///< s; 0 without cross-fade
+  int substeps() const { return this->Substeps; }
+
+private:
+  using Displacement = std::vector<float>;
+
+  void learn(vtkStructuredGrid* grid);
+  void plan();
+  void skipKnown();
+  void cross(int step);
+  int stepBefore(double time) const;
+  double start(long texture) const;
+  int firstStep(long texture) const;
+  double weightOf(long texture) const;
+  Displacement advance(const AirInterval& interval, const TrajectoryScheme& scheme,
+    const Displacement* state, double from, double to, bool asDisplacement) const;
+  std::vector<float> coordinatesOf(long texture) const;
+  void forget();
+
+  Settings Setting;
+  std::vector<double> Times;
+  double Target = 0;
+  bool Known = false;
+  AirGrid Air;
+  double Period = 0;
+  std::vector<long> Textures; // those that are seen at the target
+  int Next = 0;               // file step to take next
+  int Last = 0;               // last file step that is needed
+  int Substeps = 1;
+  std::map<int, AirSnapshot> Snapshots;
+  std::map<std::pair<long, int>, Displacement> States; // of a texture at a file step
+};
+}
+#endif
