@@ -18,11 +18,9 @@
 
 vtkStandardNewMacro(vtkCloudTextureAdvection);
 
-/// The kernel's work, and which time of the input is on its way.
-class vtkCloudTextureAdvection::Advector : public nephoscope::TextureAdvector
+struct vtkCloudTextureAdvection::Progress
 {
-public:
-  using TextureAdvector::TextureAdvector;
+  nephoscope::TextureAdvector Textures;
   bool Running = false; // between the first request of an update and its end
 };
 
@@ -69,7 +67,8 @@ int vtkCloudTextureAdvection::RequestInformation(
   settings.restartPeriod = this->RestartPeriod;
   try
   {
-    this->Work = std::make_unique<Advector>(settings, timesOf(inputs[0]->GetInformationObject(0)));
+    this->Work = std::make_unique<Progress>(Progress{
+      nephoscope::TextureAdvector(settings, timesOf(inputs[0]->GetInformationObject(0))) });
   }
   catch (const nephoscope::GridError& error)
   {
@@ -101,10 +100,11 @@ int vtkCloudTextureAdvection::RequestUpdateExtent(
                             << times.back() << " s.");
       return 0;
     }
-    this->Work->begin(target);
+    this->Work->Textures.begin(target);
     this->Work->Running = true;
   }
-  in->Set(Pipeline::UPDATE_TIME_STEP(), this->Work->isReady() ? target : this->Work->nextTime());
+  in->Set(Pipeline::UPDATE_TIME_STEP(),
+    this->Work->Textures.isReady() ? target : this->Work->Textures.nextTime());
   return 1;
 }
 
@@ -118,18 +118,18 @@ int vtkCloudTextureAdvection::RequestData(
     const bool timed = !timesOf(inputs[0]->GetInformationObject(0)).empty();
     if (!timed)
     {
-      this->Work->begin(0);
+      this->Work->Textures.begin(0);
     }
-    if (!this->Work->isReady())
+    if (!this->Work->Textures.isReady())
     {
-      this->Work->take(input);
+      this->Work->Textures.take(input);
       if (timed)
       {
         request->Set(Pipeline::CONTINUE_EXECUTING(), 1);
         return 1;
       }
     }
-    const nephoscope::TextureAdvector::Result result = this->Work->finish(input);
+    const nephoscope::TextureAdvector::Result result = this->Work->Textures.finish(input);
     output->ShallowCopy(input);
     vtkPointData* const data = output->GetPointData();
     addArray(data, nephoscope::arrays::TextureCoordinates, 3, result.coordinates[0]);
@@ -147,8 +147,8 @@ int vtkCloudTextureAdvection::RequestData(
     std::sort(sorted.begin(), sorted.end());
     this->MedianStretch = sorted[sorted.size() / 2];
     this->MaximumStretch = sorted.back();
-    this->UsedRestartPeriod = this->Work->period();
-    this->NumberOfSubsteps = this->Work->substeps();
+    this->UsedRestartPeriod = this->Work->Textures.period();
+    this->NumberOfSubsteps = this->Work->Textures.substeps();
   }
   catch (const nephoscope::GridError& error)
   {

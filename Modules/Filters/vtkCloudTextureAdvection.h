@@ -126,7 +126,7 @@ private:
   double MaximumStretch = 1;
   int NumberOfSubsteps = 1;
 
-  class Advector;
-  std::unique_ptr<Advector> Work;
+  struct Progress;
+  std::unique_ptr<Progress> Work;
 };
 #endif
