@@ -20,6 +20,8 @@ using nephoscope::Vector3;
 
 /// A pixel on a slanted surface is counted as at most this many times longer.
 constexpr double LargestSlant = 8;
+/// Corners are numbered in 32 bits.
+constexpr vtkIdType MostPoints = 0xffffffff;
 
 /// Weights of the corners of a triangle.
 struct Weights
@@ -196,6 +198,14 @@ bool vtkCloudSurface::Prepare(const nephoscope::Camera& camera)
   {
     vtkErrorMacro(
       "The input is not vtkPolyData: connect a contour, such as that of vtkCloudContour.");
+    return false;
+  }
+  if (data->GetNumberOfPoints() > MostPoints ||
+    data->GetPolys()->GetNumberOfConnectivityIds() > MostPoints)
+  {
+    vtkErrorMacro("The input has "
+      << data->GetNumberOfPoints() << " points and " << data->GetNumberOfPolys()
+      << " polygons, more than fit 32-bit numbers: draw it in pieces.");
     return false;
   }
   Drawing& ready = *this->Ready;

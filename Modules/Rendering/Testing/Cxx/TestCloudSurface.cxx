@@ -2,6 +2,7 @@
 #include "CloudTexture.h"
 #include "RenderingTest.h"
 #include "vtkCellArray.h"
+#include "vtkCloudCellVolume.h"
 #include "vtkCloudSurface.h"
 #include "vtkCloudUniformMedium.h"
 #include "vtkFloatArray.h"
@@ -83,6 +84,21 @@ vtkSmartPointer<vtkPolyData> sheet(const nephoscope::Vector3& corner, const neph
   data->SetPoints(points);
   data->SetPolys(triangles);
   return data;
+}
+
+/// Cloud fraction 1 in -1.5 .. 1.5 along x and z, -1 .. 1 along y, in uneven numbers of cells.
+vtkSmartPointer<vtkImageData> uniformBox()
+{
+  auto box = vtkSmartPointer<vtkImageData>::New();
+  box->SetDimensions(4, 5, 6);
+  box->SetOrigin(-1.5, -1, -1.5);
+  box->SetSpacing(1, 0.5, 0.6);
+  vtkNew<vtkFloatArray> fraction;
+  fraction->SetName(nephoscope::arrays::CloudFraction);
+  fraction->SetNumberOfTuples(box->GetNumberOfPoints());
+  fraction->Fill(1);
+  box->GetPointData()->AddArray(fraction);
+  return box;
 }
 
 /// A wall that faces the eye, at a distance from it.
@@ -282,36 +298,45 @@ TEST_F(CloudSurface, DepthIsTheDistanceAlongTheRay)
   }
 }
 
-TEST_F(CloudSurface, TranslucentSurfacesBeforeAndBehindFogMakeTheHandComputedPixel)
+TEST_F(CloudSurface, TranslucentSurfacesAroundAndInAVolumeMakeTheHandComputedPixel)
 {
-  // Wall at 3, opacity 1/4; fog from 4 to 6, optical depth 2 ln 2; wall at 5, opacity 1/2, in the fog's middle.
-  vtkNew<vtkCloudSurface> front;
-  front->SetInputData(wall(3, 0.5));
-  front->SetOpacity(0.25);
-  vtkNew<vtkCloudSurface> inner;
-  inner->SetInputData(wall(5, 0.5));
-  inner->SetOpacity(0.5);
-  for (vtkCloudSurface* surface : { front.Get(), inner.Get() })
+  // Along the middle ray: a wall at 3, opacity 1/4; a volume from 4 to 6, optical depth 2 ln 2; a wall at 5, opacity 1/2,
+  // in the volume's middle; a wall at 7, opacity 3/4.
+  const double places[3] = { 3, 5, 7 };
+  const double opacities[3] = { 0.25, 0.5, 0.75 };
+  const double colors[3] = { 0.8, 0.4, 0.4 };
+  vtkNew<vtkCloudSurface> walls[3];
+  for (int i = 0; i < 3; ++i)
   {
-    surface->SetAmbient(1);
-    surface->SetSkyColor(1, 1, 1);
+    walls[i]->SetInputData(wall(places[i], 0.5));
+    walls[i]->SetOpacity(opacities[i]);
+    walls[i]->SetColor(colors[i], colors[i], colors[i]);
+    walls[i]->SetAmbient(1);
+    walls[i]->SetSkyColor(1, 1, 1);
   }
-  front->SetColor(0.8, 0.8, 0.8);
-  inner->SetColor(0.4, 0.4, 0.4);
-  vtkNew<FogBall> fog;
-  fog->Extinction = std::log(2.0);
-  fog->Glow = 0.6;
+  vtkNew<FogBall> ball;
+  ball->Extinction = std::log(2.0);
+  ball->Glow = 0.6;
+  vtkNew<vtkCloudCellVolume> cells;
+  cells->SetInputData(uniformBox());
+  cells->SetFullCoverExtinction(std::log(2.0));
+  cells->SetColor(0.6, 0.6, 0.6);
   vtkNew<vtkCloudGradedBackdrop> backdrop;
-  backdrop->SetColor(1, 1, 1);
+  backdrop->SetColor(1.2, 1.2, 1.2);
   this->Scape->SetBackdrop(backdrop);
-  // Each half of the fog lets 1/2 through and adds 0.3. From behind:
-  // 1 -> 0.3 + 0.5 = 0.8 -> 0.2 + 0.4 = 0.6 -> 0.3 + 0.3 = 0.6 -> 0.2 + 0.75 * 0.6 = 0.65.
-  for (const auto& order : std::vector<std::vector<vtkCloudBody*>>{
-         { front, fog, inner }, { inner, fog, front }, { fog, inner, front } })
+  // Each half of the volume lets 1/2 through and adds 0.3. From behind: 1.2 -> 0.3 + 0.3 = 0.6 -> 0.3 + 0.3 = 0.6
+  // -> 0.2 + 0.3 = 0.5 -> 0.3 + 0.25 = 0.55 -> 0.2 + 0.75 * 0.55 = 0.6125.
+  for (vtkCloudBody* volume :
+    { static_cast<vtkCloudBody*>(ball), static_cast<vtkCloudBody*>(cells) })
   {
-    this->Draw(order);
-    EXPECT_NEAR(this->Radiance(30, 21), 0.65, 1e-6);
-    EXPECT_NEAR(this->Transmittance(30, 21), 0.75 * 0.5 * 0.5 * 0.5, 1e-6);
+    for (const auto& order :
+      std::vector<std::vector<vtkCloudBody*>>{ { walls[0], volume, walls[1], walls[2] },
+        { walls[1], walls[2], volume, walls[0] }, { volume, walls[2], walls[1], walls[0] } })
+    {
+      this->Draw(order);
+      EXPECT_NEAR(this->Radiance(30, 21), 0.6125, 1e-6) << volume->GetClassName();
+      EXPECT_NEAR(this->Transmittance(30, 21), 0.75 * 0.5 * 0.5 * 0.5 * 0.25, 1e-6);
+    }
   }
 }
 
