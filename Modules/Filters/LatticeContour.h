@@ -229,7 +229,7 @@ private:
       {
         for (vtkIdType row = begin; row < end; ++row)
         {
-          Index triangle = firstTriangle + level.firstTriangle(row);
+          vtkIdType triangle = firstTriangle + level.firstTriangle(row);
           level.forEachTriangle(row,
             [flip, firstVertex, ids, offsets, &triangle](Index a, Index b, Index c)
             {

@@ -76,12 +76,12 @@ inline ProductPoints productPoints(vtkImageData* image)
   const int* extent = image->GetExtent();
   const double* spacing = image->GetSpacing();
   const double* origin = image->GetOrigin();
-  for (int c = 0; c < 3; ++c)
+  for (std::size_t c = 0; c < 3; ++c)
   {
-    points.Origin[c] = origin[c];
+    points.Origin[static_cast<int>(c)] = origin[c];
     for (int row = 0; row < 3; ++row)
     {
-      points.Direction[c][row] = image->GetDirectionMatrix()->GetElement(row, c);
+      points.Direction[c][row] = image->GetDirectionMatrix()->GetElement(row, static_cast<int>(c));
     }
     for (int n = extent[2 * c]; n <= extent[2 * c + 1]; ++n)
     {
@@ -108,7 +108,7 @@ inline LatticeShape latticeShape(vtkDataSet* data)
   {
     image->GetExtent(extent);
   }
-  for (int c = 0; c < 3; ++c)
+  for (std::size_t c = 0; c < 3; ++c)
   {
     shape.n[c] = extent[2 * c + 1] - extent[2 * c] + 1;
   }

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace nephoscope
@@ -31,7 +32,9 @@ inline double crossing(double a, double b, double value)
 inline Vector3 outwardNormal(const Vector3& gradient, const Vector3& towardLower, double fall)
 {
   const double l = length(gradient);
-  if (l > 0 && std::isfinite(l) && dot(gradient, towardLower) <= 0.5 * l * length(towardLower))
+  const double wrong = dot(gradient, towardLower);
+  if (l > 0 && l <= std::numeric_limits<double>::max() &&
+    (wrong <= 0 || wrong <= 0.5 * l * length(towardLower)))
   {
     return (-1 / l) * gradient;
   }
@@ -77,8 +80,32 @@ struct LatticeField
     return p[axis] < 0 || p[axis] > last || !this->usable(p) ? here : p;
   }
 
+  bool inside(int i, int j, int k) const
+  {
+    const auto& n = this->Shape.n;
+    return i > 0 && i < n[0] - 1 && j > 0 && j < n[1] - 1 && k > 0 && k < n[2] - 1;
+  }
+
+  /// Where all six neighbours are: without asking.
+  Vector3 gradientInside(int i, int j, int k) const
+  {
+    const T* f = this->Values + this->id(i, j, k);
+    const Index row = this->Shape.n[0];
+    const Index layer = row * this->Shape.n[1];
+    const auto difference = [f](Index step)
+    { return static_cast<double>(f[step]) - static_cast<double>(f[-step]); };
+    return curvilinearGradient(
+      { this->X(i + 1, j, k) - this->X(i - 1, j, k), this->X(i, j + 1, k) - this->X(i, j - 1, k),
+        this->X(i, j, k + 1) - this->X(i, j, k - 1) },
+      { difference(1), difference(row), difference(layer) });
+  }
+
   Vector3 gradient(int i, int j, int k) const
   {
+    if (!this->Usable && this->inside(i, j, k))
+    {
+      return this->gradientInside(i, j, k);
+    }
     std::array<Vector3, 3> step;
     std::array<double, 3> change;
     for (int axis = 0; axis < 3; ++axis)

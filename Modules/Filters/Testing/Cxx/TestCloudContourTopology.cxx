@@ -212,7 +212,7 @@ TEST(CloudContour, GlobeIsClosedAtTheSeam)
   auto grid = globe({ 41, 17, 9 });
   addField(grid, f);
   auto* field = grid->GetPointData()->GetArray(0);
-  for (vtkIdType row = 0; row < 17 * 9; ++row)
+  for (vtkIdType row = 0; row < vtkIdType(17) * 9; ++row)
   {
     field->SetComponent(row * 41 + 40, 0, field->GetComponent(row * 41, 0));
   }

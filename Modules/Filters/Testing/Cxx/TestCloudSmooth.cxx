@@ -60,7 +60,7 @@ TEST(CloudSmooth, WavesAreMultipliedByTheStatedFactor)
       const double factor =
         std::pow(1 + s * 4 / (d * d) * std::pow(std::sin(Pi * waves / 48), 2), -3) *
         std::pow(1 + s * 4 / (dz * dz) * std::pow(std::sin(Pi * halves / 60), 2), -3);
-      for (vtkIdType id = 0; id < 49 * 31; ++id) // the inner layer, whose radius that is
+      for (vtkIdType id = 0; id < vtkIdType(49) * 31; ++id) // the inner layer, whose radius that is
       {
         EXPECT_NEAR(smoothed(filter)->GetComponent(id, 0), factor * field->GetValue(id), 1e-12);
       }
@@ -96,7 +96,7 @@ TEST(CloudSmooth, ConservesTheAreaWeightedMeanOnAGlobeAndStaysInRange)
   std::mt19937 random(3);
   addField(grid, [&random](const Vector&) { return random() % 2; });
   auto* field = grid->GetPointData()->GetArray(0);
-  for (vtkIdType row = 0; row < n[1] * n[2]; ++row)
+  for (vtkIdType row = 0; row < vtkIdType(n[1]) * n[2]; ++row)
   {
     // One value at each pole, and the seam closed.
     const int j = int(row) % n[1];
@@ -128,8 +128,9 @@ TEST(CloudSmooth, ConservesTheAreaWeightedMeanOnAGlobeAndStaysInRange)
         sums[1] += i < n[0] - 1 ? area * field->GetComponent(id, 0) : 0;
         sums[2] += i < n[0] - 1 ? area * value : 0;
       }
-      EXPECT_EQ(smoothed(filter)->GetComponent(n[0] * (j + n[1] * k), 0),
-        smoothed(filter)->GetComponent(n[0] * (j + n[1] * k) + n[0] - 1, 0));
+      const vtkIdType first = vtkIdType(n[0]) * (j + vtkIdType(n[1]) * k);
+      EXPECT_EQ(smoothed(filter)->GetComponent(first, 0),
+        smoothed(filter)->GetComponent(first + n[0] - 1, 0));
     }
     // To the area that the poles' rows are given so that they have one: 1e-4 of the globe.
     EXPECT_NEAR(sums[2] / sums[0], sums[1] / sums[0], 1e-4);
