@@ -6,7 +6,7 @@ namespace nephoscope
 namespace
 {
 // One row a role, in the order of the enumeration. Names: CF and CMIP, CAM and E3SM, ECMWF, WRF, Met Office, COSP, ICON.
-const std::vector<RoleRule>& rules()
+const std::vector<RoleRule>& rules() // NOLINT(readability-function-size): a table
 {
   static const std::vector<RoleRule> table = {
     { "CloudFraction", "1",

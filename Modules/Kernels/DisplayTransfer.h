@@ -42,7 +42,7 @@ inline double shoulder(double linear, double s)
 /// sRGB in 0..255, to the nearest.
 inline std::uint8_t srgb8(double linear)
 {
-  return static_cast<std::uint8_t>(255 * srgb(linear) + 0.5);
+  return static_cast<std::uint8_t>(std::lround(255 * srgb(linear)));
 }
 }
 #endif
