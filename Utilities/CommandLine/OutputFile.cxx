@@ -39,15 +39,14 @@ extern "C" void onInterrupt(int signal)
   }
   pending = signal;
 }
-}
 
-OutputFile::OutputFile(const std::string& path)
-  : Path(path)
+/// The file that a path stands for: a link's target is replaced, not the link. @throw Failure if it cannot be written
+fs::path targetOf(const std::string& path)
 {
   std::error_code error;
-  // A link's target is replaced, not the link.
   const fs::path target = fs::weakly_canonical(fs::absolute(path), error);
-  if (error || !fs::is_directory(target.parent_path(), error))
+  const fs::path folder = target.parent_path();
+  if (error || !fs::is_directory(folder, error))
   {
     throw Failure(path + ": there is no folder " + fs::absolute(path).parent_path().string() +
       " to write into; create it first");
@@ -56,10 +55,22 @@ OutputFile::OutputFile(const std::string& path)
   {
     throw Failure(path + ": is not a regular file; give the name of a file to write");
   }
-  if (::access(target.parent_path().c_str(), W_OK) != 0)
+  if (::access(folder.c_str(), W_OK) != 0)
   {
-    throw Failure(path + ": the folder " + target.parent_path().string() + " cannot be written");
+    throw Failure(path + ": the folder " + folder.string() + " cannot be written");
   }
+  return target;
+}
+}
+
+void checkWritable(const std::string& path)
+{
+  targetOf(path);
+}
+
+OutputFile::OutputFile(const std::string& path)
+{
+  const fs::path target = targetOf(path);
   this->Path = target.string();
   this->Partial = (target.parent_path() /
     ("." + target.stem().string() + "." + std::to_string(::getpid()) + target.extension().string()))

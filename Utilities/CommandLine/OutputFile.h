@@ -36,6 +36,9 @@ private:
   std::string Partial;
 };
 
+/// What OutputFile would throw, before there is anything to write.
+void checkWritable(const std::string& path);
+
 /// The lower-case extension of a path without its dot; empty if there is none.
 std::string extensionOf(const std::string& path);
 

@@ -75,9 +75,9 @@ struct TextureBody : SurfaceBody
 {
   std::optional<double> wavelength;
   int octaves = 7;
-  double offset = 0.22;
-  double threshold = 0.03;
-  double rimThreshold = 0.5;
+  double offset = 0.5;
+  double threshold = 0.1;
+  double rimThreshold = 0.3;
   double range = 0.25;
   int seed = 1;
 };
@@ -86,7 +86,7 @@ struct TextureBody : SurfaceBody
 struct VolumeBody
 {
   std::string quantity = "automatic";
-  double extinction = 1;
+  double extinction = 0.15;
   double scale = 1;
   double liquidRadius = 10;
   double iceRadius = 30;

@@ -58,10 +58,10 @@ void visitKeys(CameraView& camera, Visitor&& visit)
   visit(Key{ "latitude", "degrees", "globe: parallel under the eye", "from the data", -90, 90 },
     camera.latitude);
   visit(Key{ "bearing", "degrees",
-          "map, local: compass direction from the data's middle to the eye", "155", -360, 360 },
+          "map, local: compass direction from the data's middle to the eye", "150", -360, 360 },
     camera.bearing);
   visit(
-    Key{ "elevation", "degrees", "map, local: of the eye over the data's middle", "25", -90, 90 },
+    Key{ "elevation", "degrees", "map, local: of the eye over the data's middle", "20", -90, 90 },
     camera.elevation);
   visit(
     Key{ "distance", "1",
@@ -98,8 +98,8 @@ template <class Visitor>
 void visitKeys(SurfaceBody& body, Visitor&& visit)
 {
   visit(Key{ "value", "1", "cloud fraction of the surface", "0.15", 0, 1 }, body.value);
-  visit(Key{ "smoothing", "grid steps", "radius of the filter before contouring; 0 for none", "1",
-          0, 100 },
+  visit(Key{ "smoothing", "grid steps",
+          "standard deviation of the filter before contouring; 0 for none", "1", 0, 100 },
     body.smoothing);
   visit(Key{ "opacity", "1", "largest opacity", "1", 0, 1 }, body.opacity);
   visit(Key{ "color", "linear RGB", "reflectance", "[1, 1, 1]", 0, 1 }, body.color);
@@ -113,11 +113,10 @@ void visitKeys(TextureBody& body, Visitor&& visit)
     body.wavelength);
   visit(Key{ "octaves", "1", "number of waves, each half as long as the last", "7", 1, 8 },
     body.octaves);
-  visit(Key{ "offset", "1", "T0: large fills the gaps", "0.22", 0, 10 }, body.offset);
-  visit(
-    Key{ "threshold", "1", "T1: the texture below it is clear", "0.03", -1, 1 }, body.threshold);
+  visit(Key{ "offset", "1", "T0: large fills the gaps", "0.5", 0, 10 }, body.offset);
+  visit(Key{ "threshold", "1", "T1: the texture below it is clear", "0.1", -1, 1 }, body.threshold);
   visit(Key{ "rimThreshold", "1",
-          "T2: takes the threshold's place towards the outline, and frays it", "0.5", -1, 1 },
+          "T2: takes the threshold's place towards the outline, and frays it", "0.3", -1, 1 },
     body.rimThreshold);
   visit(
     Key{ "range", "1", "D: from clear to opaque; large is soft", "0.25", 1e-6, 10 }, body.range);
@@ -131,7 +130,7 @@ void visitKeys(VolumeBody& body, Visitor&& visit)
   visit(Key{ "quantity", "", "what makes the cloud dense", "fraction if the file has it", {}, {},
           { "automatic", "fraction", "condensate" } },
     body.quantity);
-  visit(Key{ "extinction", "1/km", "of a cloud fraction of 1", "1", 0, 1e6 }, body.extinction);
+  visit(Key{ "extinction", "1/km", "of a cloud fraction of 1", "0.15", 0, 1e6 }, body.extinction);
   visit(
     Key{ "scale", "1", "factor on the extinction of either quantity", "1", 0, 1e6 }, body.scale);
   visit(

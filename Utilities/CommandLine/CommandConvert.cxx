@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// nephoscope convert: a model's file as VTK data.
+#include "Commands.h"
+#include "Failure.h"
+#include "Messages.h"
+#include "ModelFile.h"
+#include "OutputFile.h"
+#include "Progress.h"
+#include "Tetrahedra.h"
+
+#include <CLI/CLI.hpp>
+#include <CloudArrays.h>
+#include <vtkCloudContour.h>
+#include <vtkCloudNetCDFReader.h>
+#include <vtkPolyData.h>
+#include <vtkStructuredGrid.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLDataSetWriter.h>
+
+#include <memory>
+
+namespace nephoscope::program
+{
+namespace
+{
+struct ConvertOptions
+{
+  Data data;
+  std::string output;
+  double value = 0.15;
+};
+
+vtkSmartPointer<vtkDataSet> contourOf(
+  vtkStructuredGrid* grid, double value, const std::string& file, Progress& progress)
+{
+  const vtkNew<vtkCloudContour> contour;
+  contour->SetInputData(grid);
+  contour->SetValue(0, value);
+  progress.watch(contour, "contour");
+  contour->Update();
+  progress.forget();
+  Messages::throwIfError(file);
+  if (contour->GetOutput()->GetNumberOfCells() == 0)
+  {
+    note(
+      file + ": the cloud fraction is " + std::to_string(value) + " nowhere; the contour is empty");
+  }
+  return vtkSmartPointer<vtkDataSet>(contour->GetOutput());
+}
+
+void write(vtkDataSet* data, const std::string& path)
+{
+  OutputFile file(path);
+  const vtkNew<vtkXMLDataSetWriter> writer;
+  writer->SetInputData(data);
+  writer->SetFileName(file.partial().c_str());
+  const int written = writer->Write();
+  Messages::throwIfError(path);
+  if (!written || writer->GetErrorCode())
+  {
+    throw Failure(path + ": cannot be written; is the disk full?");
+  }
+  file.commit();
+}
+
+void runConvert(const ConvertOptions& options)
+{
+  const std::string kind = extensionOf(options.output);
+  if (kind != "vts" && kind != "vtu" && kind != "vtp")
+  {
+    throw UsageFailure(
+      options.output + ": the name must end in .vts (grid), .vtu (tetrahedra) or .vtp (contour)");
+  }
+  checkWritable(options.output);
+  const auto reader = openModelFile(options.data);
+  Progress progress;
+  progress.watch(reader, "read");
+  const auto grid = readStep(reader, options.data.time, kind == "vtp");
+  progress.forget();
+  vtkSmartPointer<vtkDataSet> data = grid;
+  if (kind == "vtu")
+  {
+    data = tetrahedraOf(grid);
+  }
+  else if (kind == "vtp")
+  {
+    data = contourOf(grid, options.value, options.data.file, progress);
+  }
+  write(data, options.output);
+}
+}
+
+void addConvert(CLI::App& app)
+{
+  auto options = std::make_shared<ConvertOptions>();
+  CLI::App* const command =
+    app.add_subcommand("convert", "Write a time step of a NetCDF file as VTK data.");
+  command->add_option("file", options->data.file, "NetCDF file")->type_name("FILE")->required();
+  command
+    ->add_option("output", options->output,
+      "file to write: .vts the grid, .vtu its cells as tetrahedra, .vtp the contour surface of the "
+      "cloud fraction")
+    ->type_name("OUT.{vts,vtu,vtp}")
+    ->required();
+  command
+    ->add_option("--value", options->value, "cloud fraction of the contour, 0 to 1; default 0.15")
+    ->type_name("V")
+    ->check(CLI::Range(0.0, 1.0));
+  addDataOptions(*command, options->data);
+  addThreadsOption(*command);
+  command->footer(
+    "Example:\n  nephoscope convert climate.nc clouds.vtp --value 0.15 --time 2001-10-01T06");
+  command->callback([options] { runConvert(*options); });
+}
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Commands.h
+ * @brief The subcommands: one file each, which adds its options to the command line and does its work when it is chosen.
+ */
+#ifndef Commands_h
+#define Commands_h
+
+#include "Scene.h"
+
+namespace CLI
+{
+class App;
+}
+
+namespace nephoscope::program
+{
+void addInfo(CLI::App& app);
+void addConvert(CLI::App& app);
+void addRender(CLI::App& app);
+
+/// Options that several subcommands share. What is not given on the command line stays as it is.
+void addThreadsOption(CLI::App& command);
+void addDataOptions(
+  CLI::App& command, Data& data); ///< --time, --geometry, --exaggeration, --variable
+void addVariableOption(CLI::App& command, std::map<std::string, std::string>& variables);
+}
+#endif

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneBuilder.h"
+
+#include "Failure.h"
+#include "Messages.h"
+#include "ModelFile.h"
+#include "Progress.h"
+#include "SceneView.h"
+
+#include <CloudArrays.h>
+#include <vtkCamera.h>
+#include <vtkCloudCellVolume.h>
+#include <vtkCloudContour.h>
+#include <vtkCloudGlobe.h>
+#include <vtkCloudGradedBackdrop.h>
+#include <vtkCloudNetCDFReader.h>
+#include <vtkCloudPlane.h>
+#include <vtkCloudSmooth.h>
+#include <vtkCloudSurface.h>
+#include <vtkCloudUniformMedium.h>
+#include <vtkCloudscape.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkStructuredGrid.h>
+
+#include <cmath>
+
+namespace nephoscope::program
+{
+namespace
+{
+bool holds(vtkStructuredGrid* grid, const char* array)
+{
+  return grid->GetPointData()->GetArray(array) != nullptr;
+}
+
+bool isSurface(const Body& body)
+{
+  return std::holds_alternative<SurfaceBody>(body) || std::holds_alternative<TextureBody>(body);
+}
+
+/// Turns the parts of a scene into bodies, one after the other.
+class Builder
+{
+public:
+  Builder(const Scene& scene, bool addGround, Progress& progress)
+    : Parts(scene)
+    , Watch(progress)
+  {
+    this->Built.scape = vtkSmartPointer<vtkCloudscape>::New();
+    this->read();
+    this->lay(addGround);
+  }
+
+  void operator()(const SurfaceBody& body) { this->addSurface(body); }
+
+  void operator()(const TextureBody& body)
+  {
+    const double metre =
+      this->Lie.isGlobe() || this->Lie.geometry == "Local" ? 1 : this->Lie.heightScale;
+    vtkCloudSurface* const surface = this->addSurface(body);
+    surface->SetOpacityModeToTexture();
+    surface->SetTextureWavelength(
+      body.wavelength ? *body.wavelength * 1000 * metre : 5 * this->Lie.gridStep);
+    surface->SetTextureOctaves(body.octaves);
+    surface->SetTextureOffset(body.offset);
+    surface->SetTextureThreshold(body.threshold);
+    surface->SetTextureRimThreshold(body.rimThreshold);
+    surface->SetTextureRange(body.range);
+    surface->SetTextureSeed(body.seed);
+  }
+
+  void operator()(const VolumeBody& body)
+  {
+    const vtkNew<vtkCloudCellVolume> volume;
+    volume->SetInputData(this->Grid);
+    volume->SetExtinctionRule(this->isCondensate(body) ? vtkCloudCellVolume::Condensate
+                                                       : vtkCloudCellVolume::CloudFraction);
+    volume->SetFullCoverExtinction(body.extinction / 1000);
+    volume->SetExtinctionScale(body.scale);
+    volume->SetLiquidRadius(body.liquidRadius * 1e-6);
+    volume->SetIceRadius(body.iceRadius * 1e-6);
+    volume->SetColor(body.color.data());
+    this->Built.scape->AddBody(volume);
+  }
+
+  void operator()(const GlobeBody& body)
+  {
+    const vtkNew<vtkCloudGlobe> globe;
+    globe->SetRadius(this->Lie.planetRadius);
+    this->addGround(globe, body);
+  }
+
+  void operator()(const PlaneBody& body)
+  {
+    const vtkNew<vtkCloudPlane> plane;
+    plane->SetHeight(body.height * this->Lie.heightScale);
+    this->addGround(plane, body);
+  }
+
+  void operator()(const UniformMedium& medium)
+  {
+    const vtkNew<vtkCloudUniformMedium> haze;
+    const double extinction = medium.extinction / 1000;
+    haze->SetExtinction(extinction, extinction, extinction);
+    haze->SetColor(medium.color.data());
+    this->Built.scape->AddBody(haze);
+  }
+
+  BuiltScene finish()
+  {
+    this->Built.filterSeconds = this->Clock.lap();
+    return this->Built;
+  }
+
+private:
+  void read();
+  void lay(bool addGround);
+  bool isCondensate(const VolumeBody& body) const;
+  vtkCloudSurface* addSurface(const SurfaceBody& body);
+  void addGround(vtkCloudGround* ground, const Ground& look);
+  void light(vtkCloudLitBody* body);
+
+  const Scene& Parts;
+  Progress& Watch;
+  Stopwatch Clock;
+  vtkSmartPointer<vtkStructuredGrid> Grid;
+  Extent Lie;
+  Vector3 TowardSun{ 0, 0, 1 };
+  BuiltScene Built;
+};
+
+void Builder::read()
+{
+  const Data& data = this->Parts.data;
+  const auto reader = openModelFile(data);
+  this->Watch.watch(reader, "read");
+  // A volume can be drawn of condensate alone; a surface needs a fraction.
+  bool needsFraction = false;
+  for (const Body& body : this->Parts.bodies)
+  {
+    const auto* const volume = std::get_if<VolumeBody>(&body);
+    needsFraction = needsFraction || isSurface(body) || (volume && volume->quantity == "fraction");
+  }
+  this->Grid = readStep(reader, data.time, needsFraction);
+  this->Lie = extentOf(this->Grid);
+  if (!data.exaggeration)
+  {
+    const double factor = exaggerationOf(this->Lie);
+    reader->SetVerticalExaggeration(factor);
+    reader->Update();
+    Messages::throwIfError(data.file);
+    Messages::takeWarnings(); // they are those of the first reading
+    this->Lie = extentOf(this->Grid);
+  }
+  this->Built.cells = this->Grid->GetNumberOfCells();
+  if (this->Built.cells == 0 || this->Grid->GetDataDimension() < 3)
+  {
+    throw Failure(data.file + ": has one column or one level only; a picture needs two each way");
+  }
+  this->Watch.forget();
+  this->Built.readSeconds = this->Clock.lap();
+}
+
+void Builder::lay(bool addGround)
+{
+  const auto camera = cameraOf(this->Parts.camera, this->Lie, this->Parts.picture.size);
+  this->TowardSun = towardSunOf(this->Parts.light, this->Lie, camera);
+  this->Built.scape->SetCamera(camera);
+  this->Built.scape->SetSize(this->Parts.picture.size.data());
+  this->Built.scape->SetBackdrop(backdropOf(this->Parts.backdrop, this->Lie));
+  if (addGround && this->Lie.isGlobe())
+  {
+    (*this)(GlobeBody());
+  }
+  else if (addGround)
+  {
+    (*this)(PlaneBody());
+  }
+}
+
+bool Builder::isCondensate(const VolumeBody& body) const
+{
+  const bool condensate =
+    holds(this->Grid, arrays::LiquidWater) || holds(this->Grid, arrays::IceWater);
+  if (body.quantity == "condensate" && !condensate)
+  {
+    throw Failure(this->Parts.data.file +
+      ": has no condensate to draw; name it with --variable LiquidWater=NAME, or draw the "
+      "fraction");
+  }
+  if (body.quantity == "automatic" && !holds(this->Grid, arrays::CloudFraction))
+  {
+    note(this->Parts.data.file +
+      ": has no cloud fraction; the volume's density is that of its condensate");
+    return true;
+  }
+  return body.quantity == "condensate";
+}
+
+vtkCloudSurface* Builder::addSurface(const SurfaceBody& body)
+{
+  const vtkNew<vtkCloudSmooth> smooth;
+  const vtkNew<vtkCloudContour> contour;
+  const vtkNew<vtkCloudSurface> surface;
+  if (body.smoothing > 0)
+  {
+    smooth->SetInputData(this->Grid);
+    smooth->SetLength(body.smoothing * this->Lie.gridStep);
+    contour->SetInputConnection(smooth->GetOutputPort());
+  }
+  else
+  {
+    contour->SetInputData(this->Grid);
+  }
+  contour->SetValue(0, body.value);
+  this->Watch.watch(contour, "contour");
+  contour->Update();
+  this->Watch.forget();
+  Messages::throwIfError(this->Parts.data.file);
+  if (contour->GetOutput()->GetNumberOfCells() == 0)
+  {
+    note(this->Parts.data.file + ": no cloud has the fraction " + std::to_string(body.value) +
+      "; try another --value");
+  }
+  this->Built.triangles += contour->GetOutput()->GetNumberOfCells();
+  surface->SetInputConnection(contour->GetOutputPort());
+  surface->SetOpacity(body.opacity);
+  surface->SetColor(body.color.data());
+  this->light(surface);
+  this->Built.scape->AddBody(surface);
+  return surface;
+}
+
+void Builder::addGround(vtkCloudGround* ground, const Ground& look)
+{
+  ground->SetSeaColor(look.seaColor.data());
+  ground->SetLandColor(look.landColor.data());
+  ground->SetGraticule(look.graticule);
+  this->light(ground);
+  this->Built.scape->AddBody(ground);
+}
+
+void Builder::light(vtkCloudLitBody* body)
+{
+  body->SetTowardSun(this->TowardSun.v);
+  body->SetAmbient(this->Parts.light.ambient);
+}
+}
+
+BuiltScene buildScene(const Scene& scene, bool addGround, Progress& progress)
+{
+  Builder builder(scene, addGround, progress);
+  for (const Body& body : scene.bodies)
+  {
+    std::visit(builder, body);
+  }
+  for (const Medium& medium : scene.media)
+  {
+    std::visit(builder, medium);
+  }
+  return builder.finish();
+}
+}

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SceneBuilder.h
+ * @brief From a scene's description to a vtkCloudscape that can draw it.
+ */
+#ifndef SceneBuilder_h
+#define SceneBuilder_h
+
+#include "Scene.h"
+
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+class vtkCloudscape;
+
+namespace nephoscope::program
+{
+class Progress;
+
+struct BuiltScene
+{
+  vtkSmartPointer<vtkCloudscape> scape; ///< its inputs are up to date; only drawing is left
+  double readSeconds = 0;
+  double filterSeconds = 0;
+  vtkIdType cells = 0;     ///< of the grid
+  vtkIdType triangles = 0; ///< of all surfaces
+};
+
+/**
+ * Read the data, make the bodies' inputs and put the picture together.
+ *
+ * A scene that names no ground gets a globe or a plane under its clouds if `addGround`. Choices that a user should know of
+ * are said on standard error.
+ * @throw Failure for data that cannot be read or drawn
+ */
+BuiltScene buildScene(const Scene& scene, bool addGround, Progress& progress);
+}
+#endif
