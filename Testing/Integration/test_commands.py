@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""info, convert and the command line itself."""
+import json
+
+from program import ROOT, SAMPLE, ProgramTest, main, run
+
+
+class CommandLine(ProgramTest):
+    def test_help_has_examples_and_exit_codes(self):
+        done = run("--help")
+        self.assert_done(done)
+        for word in ("info", "convert", "render", "Examples:", "Exit codes"):
+            self.assertIn(word, done.stdout)
+        for command in ("info", "convert", "render"):
+            self.assertIn("nephoscope " + command, run(command, "--help").stdout)
+
+    def test_version(self):
+        self.assertRegex(run("--version").stdout, r"^nephoscope \d+\.\d+\.\d+\n$")
+
+    def test_usage_errors_are_2(self):
+        self.assert_refused(run(), 2, "--help")
+        self.assert_refused(run("rendr"), 2, "--help")
+        self.assert_refused(run("info"), 2, "file", "info --help")
+        self.assert_refused(run("info", SAMPLE, "--jason"), 2, "--jason")
+        self.assert_refused(run("info", SAMPLE, "--variable", "CloudFraction"), 2, "ROLE=NAME")
+        self.assert_refused(run("convert", SAMPLE, "a.vtp", "--value", "2"), 2, "--value")
+        self.assert_refused(run("convert", SAMPLE, "a.vtp", "--threads", "0"), 2, "--threads")
+
+
+class Info(ProgramTest):
+    def test_json_says_what_is_there(self):
+        done = run("info", SAMPLE, "--json")
+        self.assert_done(done)
+        info = json.loads(done.stdout)
+        self.assertEqual(info["file"], SAMPLE)
+        self.assertEqual(info["dimensions"], [128, 64, 19])
+        self.assertEqual(info["times"], ["2001-10-01T00:00:00", "2001-10-01T06:00:00", "2001-10-01T12:00:00",
+                                         "2001-10-01T18:00:00"])
+        self.assertIn("hybrid", info["verticalCoordinate"])
+        self.assertEqual(info["variables"]["CloudFraction"], "cl")
+        self.assertIsInstance(info["derived"], dict)
+        self.assertIsInstance(info["warnings"], list)
+
+    def test_table_says_the_same(self):
+        done = run("info", SAMPLE)
+        self.assert_done(done)
+        for word in ("128 x 64 x 19", "2001-10-01T18:00:00", "CloudFraction", "hybrid"):
+            self.assertIn(word, done.stdout)
+
+    def test_an_explicit_choice_wins(self):
+        info = json.loads(run("info", SAMPLE, "--json", "--variable", "CloudFraction=clw").stdout)
+        self.assertEqual(info["variables"]["CloudFraction"], "clw")
+
+    def test_bad_files_are_named(self):
+        self.assert_refused(run("info", "nowhere.nc"), 1, "nowhere.nc: ")
+        bad = self.folder / "bad.nc"
+        bad.write_text("this is not NetCDF")
+        self.assert_refused(run("info", bad), 1, str(bad) + ": ")
+        bad.write_bytes((ROOT / "Data" / "sample_climate.nc").read_bytes()[:5000])
+        self.assert_refused(run("info", bad), 1, str(bad) + ": ")
+        self.assert_refused(run("info", self.folder), 1, str(self.folder) + ": ")
+        self.assert_refused(run("info", SAMPLE, "--variable", "CloudFraction=nothing"), 1, "nothing")
+
+
+class Convert(ProgramTest):
+    def convert(self, name, *options):
+        path = self.folder / name
+        return run("convert", SAMPLE, path, *options), path
+
+    def test_three_kinds(self):
+        for kind, word in (("vts", b"StructuredGrid"), ("vtu", b"UnstructuredGrid"), ("vtp", b"PolyData")):
+            done, path = self.convert("out." + kind)
+            self.assert_done(done)
+            self.assertIn(b'type="' + word + b'"', path.read_bytes()[:400])
+            self.assertNotIn("\r", done.stderr)
+        self.assertEqual(self.files(), ["out.vtp", "out.vts", "out.vtu"])
+
+    def test_a_time_is_an_index_a_date_or_seconds(self):
+        contents = []
+        for name, time in (("a", "1"), ("b", "2001-10-01T06:00:00"), ("c", "2001-10-01 06:00"), ("d", "21600")):
+            done, path = self.convert(name + ".vtp", "--time", time)
+            self.assert_done(done)
+            self.assertIn("2001-10-01T06:00:00", done.stderr)
+            contents.append(path.read_bytes())
+        self.assertEqual(len(set(contents)), 1)
+        _, path = self.convert("e.vtp", "--time", "2")
+        self.assertNotEqual(path.read_bytes(), contents[0])
+
+    def test_a_wrong_time_names_the_right_ones(self):
+        for time in ("4", "-1", "1.5", "2001-10-02", "noon"):
+            done, path = self.convert("a.vtp", "--time=" + time)
+            self.assert_refused(done, 1, "2001-10-01T00:00:00", "2001-10-01T18:00:00")
+            self.assertFalse(path.exists())
+
+    def test_more_cloud_is_within_less(self):
+        _, low = self.convert("low.vtp", "--value", "0.05")
+        _, high = self.convert("high.vtp", "--value", "0.9")
+        self.assertGreater(low.stat().st_size, high.stat().st_size)
+
+    def test_what_cannot_be_written_leaves_nothing(self):
+        self.assert_refused(self.convert("a.obj")[0], 2, ".vts", ".vtu", ".vtp")
+        self.assert_refused(self.convert("none/a.vts")[0], 1, "none")
+        (self.folder / "folder.vts").mkdir()
+        self.assert_refused(self.convert("folder.vts")[0], 1, "folder.vts")
+        self.assertEqual(self.files(), ["folder.vts"])
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures from scenes and styles, what is said about them, and what an interrupt leaves."""
+import json
+import os
+import pty
+import signal
+import subprocess
+import time
+
+from program import PROGRAM, ROOT, SAMPLE, SHARED, ProgramTest, cloudy_share, main, pixels, run
+
+SMALL = ("--size", "160x120")
+STYLES = ("surface", "texture", "volume")
+
+
+class Render(ProgramTest):
+    def render(self, name, *options):
+        path = self.folder / name
+        return run("render", *options, "-o", path), path
+
+    def test_each_style_shows_clouds(self):
+        for style in STYLES:
+            done, path = self.render(style + ".png", "--data", SAMPLE, "--style", style, *SMALL)
+            self.assert_done(done)
+            self.assertEqual(pixels(path)[:2], (160, 120))
+            self.assertGreater(cloudy_share(path), 0.03, style)
+            self.assertLess(cloudy_share(path), 0.6, style)
+            self.assertNotIn("\r", done.stderr)
+        self.assertEqual(len(self.files()), 3)
+
+    def test_each_scene_of_the_examples(self):
+        for style in STYLES:
+            done, path = self.render(style + ".png", ROOT / "Examples" / "Scenes" / (style + ".yaml"), *SMALL)
+            self.assert_done(done)
+            self.assertGreater(cloudy_share(path), 0.03, style)
+
+    def test_real_data(self):
+        if not SHARED.exists():
+            self.skipTest("no folder " + str(SHARED))
+        for name in ("era5_tl31", "wrf_katrina", "um_cosp"):
+            for style in STYLES:
+                with self.subTest(name=name, style=style):
+                    done, path = self.render(name + style + ".png", "--data", SHARED / (name + ".nc"), "--style",
+                                             style, *SMALL)
+                    self.assert_done(done)
+                    self.assertGreater(cloudy_share(path), 0.01)
+                    self.assertEqual("Xu and Randall" in done.stderr, name != "um_cosp" and style != "volume")
+
+    def test_stats(self):
+        stats = self.folder / "stats.json"
+        done, _ = self.render("a.png", "--data", SAMPLE, "--style", "surface", "--stats", stats, "--threads", "2",
+                              *SMALL)
+        self.assert_done(done)
+        figures = json.loads(stats.read_text())
+        self.assertEqual(set(figures["seconds"]), {"read", "filter", "prepare", "tiles", "write"})
+        self.assertTrue(all(seconds >= 0 for seconds in figures["seconds"].values()))
+        self.assertGreaterEqual(figures["cells"], 128 * 63 * 18)
+        self.assertGreater(figures["triangles"], 1000)
+        self.assertGreater(figures["segments"], 1000)
+        self.assertEqual(figures["threads"], 2)
+        self.assertEqual(figures["size"], [160, 120])
+        self.assertIn("nephoscope", figures["versions"])
+
+    def test_threads_do_not_matter(self):
+        contents = set()
+        for threads in (1, 2, 3):
+            done, path = self.render("a.png", "--data", SAMPLE, "--style", "volume", "--threads", threads, *SMALL)
+            self.assert_done(done)
+            contents.add(path.read_bytes())
+        self.assertEqual(len(contents), 1)
+
+    def test_openexr_is_linear_and_unexposed(self):
+        done, dark = self.render("a.exr", "--data", SAMPLE, "--style", "surface", *SMALL)
+        self.assert_done(done)
+        self.assertEqual(dark.read_bytes()[:4], b"\x76\x2f\x31\x01")
+        done, bright = self.render("b.exr", "--data", SAMPLE, "--style", "surface", "--exposure", "2", *SMALL)
+        self.assert_done(done)
+        self.assertEqual(dark.read_bytes(), bright.read_bytes())
+
+    def test_exposure_brightens(self):
+        light = []
+        for stops in ("-1", "0"):
+            done, path = self.render("a.png", "--data", SAMPLE, "--style", "volume", "--exposure", stops, *SMALL)
+            self.assert_done(done)
+            light.append(sum(map(sum, pixels(path)[2])))
+        self.assertLess(light[0], light[1])
+
+    def test_the_view_can_be_chosen(self):
+        done, west = self.render("a.png", "--data", SAMPLE, "--style", "surface", "--view", "-90,10,5", *SMALL)
+        self.assert_done(done)
+        done, east = self.render("b.png", "--data", SAMPLE, "--style", "surface", "--view=90,10", *SMALL)
+        self.assert_done(done)
+        self.assertNotEqual(west.read_bytes(), east.read_bytes())
+
+    def test_geometries(self):
+        options = ("--data", SAMPLE, "--style", "volume", *SMALL, "--geometry")
+        for geometry in ("map", "globe"):
+            self.assert_done(self.render(geometry + ".png", *options, geometry)[0])
+        self.assert_refused(self.render("local.png", *options, "local")[0], 1, "projection")
+
+    def test_usage(self):
+        self.assert_refused(run("render", "--data", SAMPLE, "--style", "surface"), 2, "-o")
+        self.assert_refused(self.render("a.png")[0], 2, "--data")
+        self.assert_refused(self.render("a.png", "--data", SAMPLE)[0], 2, "--style")
+        self.assert_refused(self.render("a.jpg", "--data", SAMPLE, "--style", "surface")[0], 2, ".png", ".exr")
+        for size in ("10", "-3x5", "5x-1", "99999x2", "3x4x5"):
+            self.assert_refused(self.render("a.png", "--data", SAMPLE, "--style", "surface", "--size=" + size)[0], 2,
+                                "--size")
+        for view in ("1", "1,2,3,4", "0,91", "0,0,0", "a,b", "1,2,"):
+            self.assert_refused(self.render("a.png", "--data", SAMPLE, "--style", "surface", "--view", view)[0], 2,
+                                "--view")
+        self.assert_refused(self.render("a.png", "--data", SAMPLE, "--style", "clay")[0], 2, "clay")
+        self.assert_refused(self.render("a.png", "--data", "nowhere.nc", "--style", "volume")[0], 1, "nowhere.nc")
+        self.assertEqual(self.files(), [])
+
+    def test_a_scene_file_names_the_nearest_key(self):
+        scene = self.folder / "scene.yaml"
+        scene.write_text("data: { file: %s }\nbodies:\n  - type: surface\n    valu: 0.2\n" % SAMPLE)
+        done, _ = self.render("a.png", scene)
+        self.assert_refused(done, 2, str(scene) + ":4: ", "'valu'", "'value'")
+        self.assertEqual(self.files(), ["scene.yaml"])
+
+
+class Interrupts(ProgramTest):
+    def start(self, **options):
+        command = [PROGRAM, "render", "--data", SAMPLE, "--style", "volume", "--size", "6000x4500", "-o",
+                   str(self.folder / "a.png")]
+        return subprocess.Popen(command, stdout=subprocess.PIPE, **options)
+
+    def test_ctrl_c_leaves_nothing(self):
+        process = self.start(stderr=subprocess.PIPE, text=True)
+        time.sleep(1.5)
+        process.send_signal(signal.SIGINT)
+        _, words = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130, words)
+        self.assertEqual(words.splitlines()[-1], "nephoscope: interrupted")
+        self.assertEqual(self.files(), [])
+
+    def test_a_terminal_has_a_progress_bar(self):
+        ours, theirs = pty.openpty()
+        process = self.start(stderr=theirs)
+        os.close(theirs)
+        seen = b""
+        while b"draw" not in seen:
+            seen += os.read(ours, 4096)
+        self.assertRegex(seen, rb"draw +\[#* *\] +\d+ %")
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=60)
+        os.close(ours)
+        self.assertEqual(process.returncode, 130)
+
+
+if __name__ == "__main__":
+    main()
