@@ -52,9 +52,10 @@ void vtkCloudGlobe::Emit(const nephoscope::Camera& camera, nephoscope::DeepTile&
       }
       const nephoscope::Vector3 up =
         nephoscope::normalized(ray.origin + distance * ray.direction - center);
+      const double pixelNorth = camera.footprint(distance) * degreesPerUnit;
       shade.color = this->ColorAt(vtkMath::DegreesFromRadians(std::atan2(up[1], up[0])),
         vtkMath::DegreesFromRadians(std::asin(std::clamp(up[2], -1.0, 1.0))),
-        camera.footprint(distance) * degreesPerUnit);
+        pixelNorth / std::max(std::hypot(up[0], up[1]), 1e-6), pixelNorth);
       nephoscope::RGB light = shade(up, -1.0 * ray.direction);
       for (float& channel : light)
       {

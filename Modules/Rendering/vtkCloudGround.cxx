@@ -3,7 +3,6 @@
 
 #include "LandMask.h"
 #include "Vector3.h"
-#include "vtkMath.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,12 +23,12 @@ double lineCover(double distance, double pixel)
   return pixel > 0 ? std::max(0.0, 1 - std::abs(distance) / pixel) : 0;
 }
 
-double graticuleCover(double longitude, double latitude, double spacing, double footprint)
+double graticuleCover(
+  double longitude, double latitude, double spacing, double pixelEast, double pixelNorth)
 {
-  const double alongParallel = std::cos(vtkMath::RadiansFromDegrees(latitude));
   const double meridian = longitude - spacing * std::round(longitude / spacing);
   const double parallel = latitude - spacing * std::round(latitude / spacing);
-  return std::max(lineCover(meridian * alongParallel, footprint), lineCover(parallel, footprint));
+  return std::max(lineCover(meridian, pixelEast), lineCover(parallel, pixelNorth));
 }
 }
 
@@ -38,19 +37,20 @@ vtkCloudGround::vtkCloudGround()
   this->SetNumberOfInputPorts(0);
 }
 
-Vector3 vtkCloudGround::ColorAt(double longitude, double latitude, double footprint) const
+Vector3 vtkCloudGround::ColorAt(
+  double longitude, double latitude, double pixelEast, double pixelNorth) const
 {
   Vector3 color{ this->SeaColor[0], this->SeaColor[1], this->SeaColor[2] };
   if (this->Land)
   {
-    const double land = nephoscope::LandMask::earth().landAt(longitude, latitude, footprint);
+    const double land = nephoscope::LandMask::earth().landAt(longitude, latitude, pixelNorth);
     color = mixed(color, this->LandColor, land);
     color = mixed(color, this->LineColor, this->CoastLines ? 4 * land * (1 - land) : 0);
   }
   if (this->Graticule > 0)
   {
-    color = mixed(
-      color, this->LineColor, graticuleCover(longitude, latitude, this->Graticule, footprint));
+    color = mixed(color, this->LineColor,
+      graticuleCover(longitude, latitude, this->Graticule, pixelEast, pixelNorth));
   }
   return color;
 }

@@ -65,8 +65,9 @@ protected:
   ~vtkCloudGround() override = default;
 
 #ifndef __VTK_WRAP__
-  /// Reflectance of a place: degrees, and the width of a pixel in degrees of latitude.
-  nephoscope::Vector3 ColorAt(double longitude, double latitude, double footprint) const;
+  /// Reflectance of a place in degrees; the width of a pixel, degrees of longitude and of latitude.
+  nephoscope::Vector3 ColorAt(
+    double longitude, double latitude, double pixelEast, double pixelNorth) const;
 #endif
 
   double SeaColor[3] = { 0.01, 0.033, 0.08 };

@@ -209,7 +209,7 @@ private:
 
 vtkCloudPictureWriter::~vtkCloudPictureWriter()
 {
-  this->SetFileName(nullptr);
+  delete[] this->FileName;
 }
 
 int vtkCloudPictureWriter::FillInputPortInformation(int, vtkInformation* info)

@@ -52,8 +52,9 @@ void vtkCloudPlane::Emit(const nephoscope::Camera& camera, nephoscope::DeepTile&
       {
         continue;
       }
-      shade.color = this->ColorAt(at[0] * this->DegreesPerUnit, at[1] * this->DegreesPerUnit,
-        camera.footprint(distance) * this->DegreesPerUnit);
+      const double pixel = camera.footprint(distance) * this->DegreesPerUnit;
+      shade.color =
+        this->ColorAt(at[0] * this->DegreesPerUnit, at[1] * this->DegreesPerUnit, pixel, pixel);
       const nephoscope::Vector3 side{ 0, 0, ray.direction[2] < 0 ? 1.0 : -1.0 };
       tile.add(x, y,
         { distance, distance, { nephoscope::Opaque, nephoscope::Opaque, nephoscope::Opaque },

@@ -184,6 +184,9 @@ TEST_F(CloudGround, GraticuleRunsAlongMeridiansAndParallels)
   EXPECT_GT(this->Radiance(180, 100), 0.1);
   EXPECT_GT(this->Radiance(100, 120), 0.1);
   EXPECT_EQ(this->Radiance(195, 105, 0), this->Radiance(195, 105, 1));
+  // On a map meridians are as narrow near the pole.
+  EXPECT_GT(this->Radiance(180, 175, 0), this->Radiance(180, 175, 1));
+  EXPECT_EQ(this->Radiance(183, 175, 0), this->Radiance(183, 175, 1));
 }
 
 TEST_F(CloudGround, BadSizesAreRefused)
