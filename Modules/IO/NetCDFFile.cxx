@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NetCDFFile.h"
 
+#include "ClassicHeader.h"
 #include "ReadError.h"
 
 #include <netcdf.h>
@@ -235,6 +236,7 @@ NetCDFFile::NetCDFFile(const std::string& path)
     throw ReadError("it is not a file; name a NetCDF file");
   }
   this->FileSize = static_cast<std::size_t>(std::filesystem::file_size(path, error));
+  checkClassicHeader(path, this->FileSize);
   const int status = nc_open(path.c_str(), NC_NOWRITE, &this->Id);
   if (status != NC_NOERR)
   {
@@ -245,7 +247,6 @@ NetCDFFile::NetCDFFile(const std::string& path)
   try
   {
     this->catalogue();
-    this->checkLength();
   }
   catch (...)
   {
@@ -274,7 +275,6 @@ void NetCDFFile::catalogue()
   int variables = 0;
   int attributes = 0;
   check(nc_inq(this->Id, &dimensions, &variables, &attributes, nullptr), "header");
-  check(nc_inq_format(this->Id, &this->Format), "format");
   int unlimitedCount = 0;
   check(nc_inq_unlimdims(this->Id, &unlimitedCount, nullptr), "unlimited dimensions");
   std::vector<int> unlimited(std::max(unlimitedCount, 1));
@@ -319,75 +319,6 @@ void NetCDFFile::catalogue()
     this->Variables.push_back(variable);
   }
   this->Globals = readAttributes(this->Id, NC_GLOBAL, attributes);
-}
-
-void NetCDFFile::checkLength() const
-{
-  // netCDF-C reads past the end of a classic file as zeros: compare with what the header promises. The header is counted
-  // without its names, so a cut inside the last few bytes of a one-variable file can pass; it is then an error of the read.
-  if (this->Format != NC_FORMAT_CLASSIC && this->Format != NC_FORMAT_64BIT_OFFSET &&
-    this->Format != NC_FORMAT_CDF5)
-  {
-    return;
-  }
-  const bool large = this->Format == NC_FORMAT_CDF5;
-  const double count = large ? 8 : 4;
-  const auto padded = [](double bytes) { return 4 * std::ceil(bytes / 4); };
-  const auto bytesOf = [](int type)
-  {
-    return type == NC_BYTE || type == NC_CHAR || type == NC_UBYTE ? 1.0
-      : type == NC_SHORT || type == NC_USHORT                     ? 2.0
-      : type == NC_INT || type == NC_UINT || type == NC_FLOAT     ? 4.0
-                                                                  : 8.0;
-  };
-  const auto attributeBytes = [&](const std::map<std::string, FileAttribute>& attributes)
-  {
-    double bytes = 4 + count;
-    for (const auto& [name, attribute] : attributes)
-    {
-      bytes += count + padded(static_cast<double>(name.size())) + 4 + count +
-        padded(static_cast<double>(attribute.type == NC_CHAR
-            ? attribute.text.size()
-            : attribute.numbers.size() * bytesOf(attribute.type)));
-    }
-    return bytes;
-  };
-  double header = 4 + count + (4 + count) + attributeBytes(this->Globals) + (4 + count);
-  for (const FileDimension& dimension : this->Dimensions)
-  {
-    header += count + padded(static_cast<double>(dimension.name.size())) + count;
-  }
-  double fixed = 0;
-  double record = 0;
-  double records = 0;
-  int recordVariables = 0;
-  double lastRecord = 0;
-  for (const FileVariable& variable : this->Variables)
-  {
-    header += count + padded(static_cast<double>(variable.name.size())) + count +
-      count * static_cast<double>(variable.dimensions.size()) +
-      attributeBytes(variable.attributes) + 4 + count + (this->Format == NC_FORMAT_CLASSIC ? 4 : 8);
-    double bytes = bytesOf(variable.type);
-    bool isRecord = false;
-    for (std::size_t axis = 0; axis < variable.dimensions.size(); ++axis)
-    {
-      const FileDimension& dimension = this->Dimensions[variable.dimensions[axis]];
-      isRecord = isRecord || (axis == 0 && dimension.record);
-      records = axis == 0 && dimension.record ? static_cast<double>(dimension.size) : records;
-      bytes *= axis == 0 && dimension.record ? 1.0 : static_cast<double>(dimension.size);
-    }
-    (isRecord ? record : fixed) += padded(bytes);
-    recordVariables += isRecord;
-    lastRecord = isRecord ? bytes : lastRecord;
-  }
-  record = recordVariables == 1 ? lastRecord : record; // one record variable is not padded
-  const double promised = header + fixed + record * records - 4;
-  if (promised > static_cast<double>(this->FileSize))
-  {
-    throw ReadError("it is cut short: " + std::to_string(this->FileSize) +
-      " bytes, its header promises " + std::to_string(static_cast<long long>(promised)) +
-      "; fetch it again");
-  }
 }
 
 const FileVariable* NetCDFFile::find(const std::string& name) const

@@ -71,11 +71,9 @@ public:
 private:
   void close();
   void catalogue();
-  void checkLength() const;
 
   int Id = -1;
   std::size_t FileSize = 0;
-  int Format = 0;
   std::vector<FileDimension> Dimensions;
   std::vector<FileVariable> Variables;
   std::map<std::string, FileAttribute> Globals;

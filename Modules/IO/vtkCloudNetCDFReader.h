@@ -31,7 +31,9 @@
  *          one line with file, variable and remedy, return 0. Every guess is a line of GetWarning.
  * Cost     one time step of the requested extent (with whole columns) in memory; the file is read by one thread (netCDF-C is
  *          not thread-safe), the rest is spread over threads and does not depend on their number.
- * Limits   groups of netCDF-4 other than the root are not read. Reduced and unstructured grids are refused.
+ * Limits   groups of netCDF-4 other than the root are not read. Reduced and unstructured grids are refused. A seam is closed only
+ *          where longitude is an axis. A netCDF-4 file with damaged inner tables can crash HDF5 itself (about one in a
+ *          thousand of TestNetCDFReaderMutations); classic headers are checked before netCDF-C sees them.
  * @sa VerticalCoordinate.h, CloudArrays.h, TestNetCDFReader
  */
 #ifndef vtkCloudNetCDFReader_h
