@@ -13,11 +13,9 @@
 #include <vtkStructuredGrid.h>
 
 #include <gtest/gtest.h>
-#include <netcdf.h>
 
 #include <filesystem>
 #include <string>
-#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -25,95 +23,28 @@
 class SmallFile
 {
 public:
-  explicit SmallFile(int format = NC_CLASSIC_MODEL | NC_NETCDF4)
-  {
-    static int count = 0;
-    const std::string name =
-      "nephoscope-" + std::to_string(getpid()) + "-" + std::to_string(count++) + ".nc";
-    this->Path = (std::filesystem::temp_directory_path() / name).string();
-    expect(nc_create(this->Path.c_str(), NC_CLOBBER | format, &this->Id));
-  }
-  ~SmallFile()
-  {
-    this->close();
-    std::filesystem::remove(this->Path);
-  }
+  static constexpr int NetCDF4 = -1; ///< format: netCDF-4 by the classic model
+  static constexpr int Double = 0;   ///< type
+
+  /// @param format mode of nc_create
+  explicit SmallFile(int format = NetCDF4);
+  ~SmallFile();
   SmallFile(const SmallFile&) = delete;
   SmallFile& operator=(const SmallFile&) = delete;
 
   using Text = std::vector<std::pair<const char*, const char*>>;
+  using Numbers = std::vector<std::pair<const char*, double>>;
 
-  SmallFile& dimension(const char* name, std::size_t size)
-  {
-    int id = 0;
-    expect(nc_def_dim(this->Id, name, size, &id));
-    return *this;
-  }
-  /// Defines a variable and its text attributes; the values may be fewer than it holds (the rest is filled).
+  SmallFile& dimension(const char* name, std::size_t size);
+  /// Defines a variable with its attributes and, if there are any, its values. _FillValue and missing_value get its type.
   SmallFile& variable(const char* name, const std::vector<const char*>& dimensions,
-    const std::vector<double>& values, const Text& attributes = {}, nc_type type = NC_DOUBLE,
-    const std::vector<std::pair<const char*, double>>& numbers = {})
-  {
-    int dims[8] = {};
-    for (std::size_t d = 0; d < dimensions.size(); ++d)
-    {
-      expect(nc_inq_dimid(this->Id, dimensions[d], &dims[d]));
-    }
-    int id = 0;
-    expect(nc_def_var(this->Id, name, type, static_cast<int>(dimensions.size()), dims, &id));
-    for (const auto& [key, text] : attributes)
-    {
-      expect(nc_put_att_text(this->Id, id, key, std::string(text).size(), text));
-    }
-    for (const auto& [key, number] : numbers)
-    {
-      const bool packed = std::string(key) == "_FillValue" || std::string(key) == "missing_value";
-      expect(nc_put_att_double(this->Id, id, key, packed ? type : NC_DOUBLE, 1, &number));
-    }
-    expect(nc_enddef(this->Id));
-    if (!values.empty())
-    {
-      expect(nc_put_var_double(this->Id, id, values.data()));
-    }
-    expect(nc_redef(this->Id));
-    return *this;
-  }
-  SmallFile& attribute(const char* variable, const char* key, const char* text)
-  {
-    int id = NC_GLOBAL;
-    if (variable)
-    {
-      expect(nc_inq_varid(this->Id, variable, &id));
-    }
-    expect(nc_put_att_text(this->Id, id, key, std::string(text).size(), text));
-    return *this;
-  }
-  SmallFile& number(const char* variable, const char* key, double value)
-  {
-    int id = NC_GLOBAL;
-    if (variable)
-    {
-      expect(nc_inq_varid(this->Id, variable, &id));
-    }
-    expect(nc_put_att_double(this->Id, id, key, NC_DOUBLE, 1, &value));
-    return *this;
-  }
-  const char* path()
-  {
-    this->close();
-    return this->Path.c_str();
-  }
+    const std::vector<double>& values, const Text& attributes = {}, int type = Double,
+    const Numbers& numbers = {});
+  SmallFile& number(const char* variable, const char* key, double value);
+  const char* path(); ///< of the file, which is complete from then on
 
 private:
-  static void expect(int status) { EXPECT_EQ(status, NC_NOERR) << nc_strerror(status); }
-  void close()
-  {
-    if (this->Id >= 0)
-    {
-      expect(nc_close(this->Id));
-      this->Id = -1;
-    }
-  }
+  void close();
   int Id = -1;
   std::string Path;
 };

@@ -5,6 +5,8 @@
 #include "CloudArrays.h"
 #include "VerticalCoordinate.h"
 
+#include <netcdf.h>
+
 #include <vtkDataSetAttributes.h>
 #include <vtkFieldData.h>
 #include <vtkStringArray.h>

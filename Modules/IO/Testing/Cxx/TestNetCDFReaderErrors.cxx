@@ -2,6 +2,8 @@
 // Each bad input: one line that names the file, the variable and the remedy.
 #include "SmallFile.h"
 
+#include <netcdf.h>
+
 #include <fstream>
 
 namespace

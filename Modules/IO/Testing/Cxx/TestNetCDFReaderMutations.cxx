@@ -6,6 +6,8 @@
 // which no caller can prevent, and is counted apart.
 #include "SmallFile.h"
 
+#include <netcdf.h>
+
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -14,6 +16,7 @@
 #include <iterator>
 #include <random>
 #include <sys/wait.h>
+#include <unistd.h>
 
 namespace
 {
