@@ -39,12 +39,15 @@ constexpr std::array<HexahedronSplit, 2> ascendingSplit()
 }
 constexpr std::array<HexahedronSplit, 2> AscendingSplit = ascendingSplit();
 
-/// First and one past the last pixel whose centre lies between two image coordinates, in [0, size).
-void pixelRange(double low, double high, int size, int& first, int& end)
+/// First and one past the last pixel in [begin, end) whose centre lies between two image coordinates; begin >= 0.
+void pixelRange(const double (&range)[2], int begin, int end, int& first, int& past)
 {
   constexpr double Margin = 1e-6; // over rounding and the rays' displacement
-  first = static_cast<int>(std::ceil(std::clamp<double>(low - 0.5 - Margin, 0, size)));
-  end = static_cast<int>(std::floor(std::clamp<double>(high - 0.5 + Margin, -1, size - 1))) + 1;
+  const double low = std::clamp<double>(range[0] - 0.5 - Margin, begin, end);
+  const double high = std::clamp<double>(range[1] + 0.5 + Margin, begin, end);
+  first = static_cast<int>(low);
+  first += first < low ? 1 : 0;
+  past = static_cast<int>(high);
 }
 }
 
@@ -117,6 +120,10 @@ TileRays::TileRays(const RaySpace& space, const DeepTile& tile)
       this->Limit = std::max(this->Limit, limit);
     }
   }
+  for (int x = this->Extent.x0; x < this->Extent.x0 + this->Extent.width; ++x)
+  {
+    this->U.push_back(space.u(x));
+  }
 }
 
 /// Where points lie in the image.
@@ -186,27 +193,36 @@ ColumnRays::Cell ColumnRays::cell(int k) const
   return cell;
 }
 
-/// Of the convex hull of some points. What reaches the eye's plane goes on to infinity there.
-ColumnRays::Bounds ColumnRays::bounds(const Corner* const* corners, int n) const
+/// Of the convex hull of some points.
+template <std::size_t N>
+ColumnRays::Bounds ColumnRays::bounds(const Corner* const (&corners)[N]) const
 {
   Bounds b;
-  bool behind = false;
-  for (int i = 0; i < n; ++i)
+  for (const Corner* corner : corners)
+  {
+    Bounds::reach(b.x, corner->x);
+    Bounds::reach(b.y, corner->y);
+    Bounds::reach(b.depth, corner->q[2]);
+  }
+  return b.depth[0] > 0 || this->Space.isParallel() ? b : this->boundsAtEye(corners, N);
+}
+
+/// The same of a hull with points behind the eye: what reaches its plane goes on to infinity there.
+ColumnRays::Bounds ColumnRays::boundsAtEye(const Corner* const* corners, std::size_t n) const
+{
+  Bounds b;
+  for (std::size_t i = 0; i < n; ++i)
   {
     Bounds::reach(b.depth, corners[i]->q[2]);
-    if (this->Space.isParallel() || corners[i]->q[2] > 0)
+    if (corners[i]->q[2] > 0)
     {
       Bounds::reach(b.x, corners[i]->x);
       Bounds::reach(b.y, corners[i]->y);
     }
-    else
-    {
-      behind = true;
-    }
   }
-  for (int i = 0; behind && i < n; ++i)
+  for (std::size_t i = 0; i < n; ++i)
   {
-    for (int j = 0; j < n; ++j)
+    for (std::size_t j = 0; j < n; ++j)
     {
       const Vector3& before = corners[i]->q;
       const Vector3& after = corners[j]->q;
@@ -225,14 +241,14 @@ ColumnRays::Bounds ColumnRays::bounds(const Corner* const* corners, int n) const
   return b;
 }
 
-PixelBox ColumnRays::pixels(const Bounds& bounds) const
+PixelBox ColumnRays::pixels(const Bounds& bounds, const TileExtent& within)
 {
   PixelBox box;
   box.nearest = std::max(bounds.depth[0], 0.0);
   if (bounds.depth[1] > 0 && bounds.x[0] <= bounds.x[1])
   {
-    pixelRange(bounds.x[0], bounds.x[1], this->Width, box.x0, box.x1);
-    pixelRange(bounds.y[0], bounds.y[1], this->Height, box.y0, box.y1);
+    pixelRange(bounds.x, within.x0, within.x0 + within.width, box.x0, box.x1);
+    pixelRange(bounds.y, within.y0, within.y0 + within.height, box.y0, box.y1);
   }
   return box;
 }
@@ -246,26 +262,26 @@ PixelBox ColumnRays::box() const
   {
     if (drawn[k])
     {
-      all.join(this->bounds(this->cell(k).corner, 8));
+      all.join(this->bounds(this->cell(k).corner));
     }
   }
-  return this->pixels(all);
+  return pixels(all, { 0, 0, this->Width, this->Height });
 }
 
-void ColumnRays::emit(DeepTile& tile, const TileRays& rays, const RGB& colour) const
+void ColumnRays::emit(DeepTile& tile, const TileRays& rays, std::uint32_t source) const
 {
   if (this->Space.isParallel())
   {
-    this->emitCells<true>(tile, rays, colour);
+    this->emitCells<true>(tile, rays, source);
   }
   else
   {
-    this->emitCells<false>(tile, rays, colour);
+    this->emitCells<false>(tile, rays, source);
   }
 }
 
 template <bool Parallel>
-void ColumnRays::emitCells(DeepTile& tile, const TileRays& rays, const RGB& colour) const
+void ColumnRays::emitCells(DeepTile& tile, const TileRays& rays, std::uint32_t source) const
 {
   const std::uint8_t* const drawn =
     this->Columns.drawn.data() + this->Column * (this->Columns.nz - 1);
@@ -274,28 +290,28 @@ void ColumnRays::emitCells(DeepTile& tile, const TileRays& rays, const RGB& colo
     if (drawn[k])
     {
       const Cell cell = this->cell(k);
+      const PixelBox box = pixels(this->bounds(cell.corner), rays.extent());
+      if (box.empty() || box.nearest > rays.limit())
+      {
+        continue;
+      }
       for (const TetrahedronVertices& vertices : AscendingSplit[(this->Parity + k) & 1])
       {
-        this->emitTetrahedron<Parallel>(tile, rays, colour, cell, vertices);
+        this->emitTetrahedron<Parallel>(tile, rays, source, cell, vertices);
       }
     }
   }
 }
 
 template <bool Parallel>
-void ColumnRays::emitTetrahedron(DeepTile& tile, const TileRays& rays, const RGB& colour,
+void ColumnRays::emitTetrahedron(DeepTile& tile, const TileRays& rays, std::uint32_t source,
   const Cell& cell, const TetrahedronVertices& vertices) const
 {
   const Corner* const corners[4] = { cell.corner[vertices[0]], cell.corner[vertices[1]],
     cell.corner[vertices[2]], cell.corner[vertices[3]] };
   const float density[4] = { cell.extinction[vertices[0]], cell.extinction[vertices[1]],
     cell.extinction[vertices[2]], cell.extinction[vertices[3]] };
-  PixelBox box = this->pixels(this->bounds(corners, 4));
-  const TileExtent& e = rays.extent();
-  box.x0 = std::max(box.x0, e.x0);
-  box.y0 = std::max(box.y0, e.y0);
-  box.x1 = std::min(box.x1, e.x0 + e.width);
-  box.y1 = std::min(box.y1, e.y0 + e.height);
+  const PixelBox box = pixels(this->bounds(corners), rays.extent());
   if (box.empty() || box.nearest > rays.limit() ||
     density[0] + density[1] + density[2] + density[3] == 0)
   {
@@ -307,30 +323,27 @@ void ColumnRays::emitTetrahedron(DeepTile& tile, const TileRays& rays, const RGB
   {
     return;
   }
-  RayPiece piece;
   for (int y = box.y0; y < box.y1; ++y)
   {
     const double v = this->Space.v(y);
-    for (int x = box.x0; x < box.x1; ++x)
-    {
-      const TileRays::Pixel& pixel = rays.pixel(x, y);
-      if (!tetrahedron.meet<Parallel>(this->Space.u(x), v, pixel.limit, piece))
+    const double* const u = rays.u() + (box.x0 - rays.extent().x0);
+    const TileRays::Pixel* const pixels = &rays.pixel(box.x0, y);
+    tetrahedron.meetRow<Parallel>(u, box.x1 - box.x0, v,
+      [&](int i, const RayPiece& piece)
       {
-        continue;
-      }
-      const double sum = piece.nearDensity + piece.farDensity;
-      const double near = piece.nearDepth * pixel.stretch;
-      const double far = piece.farDepth * pixel.stretch;
-      const auto tau = static_cast<float>(0.5 * (far - near) * sum);
-      if (tau > 0)
-      {
-        const auto light = static_cast<float>(-std::expm1(-static_cast<double>(tau)));
-        tile.add(x, y,
-          { near, far, { tau, tau, tau },
-            { light * colour[0], light * colour[1], light * colour[2] },
-            static_cast<float>((piece.farDensity - piece.nearDensity) / sum) });
-      }
-    }
+        const TileRays::Pixel& pixel = pixels[i];
+        const double z1 = std::min(piece.farDepth, pixel.limit);
+        const double s0 = tetrahedron.density<Parallel>(u[i], v, piece.nearDepth);
+        const double s1 = tetrahedron.density<Parallel>(u[i], v, z1);
+        const auto length = static_cast<float>((z1 - piece.nearDepth) * pixel.stretch);
+        const auto tau =
+          static_cast<float>(0.5 * (z1 - piece.nearDepth) * pixel.stretch * (s0 + s1));
+        if (tau > 0 && length > 0)
+        {
+          tile.addPiece(box.x0 + i, y, source, piece.nearDepth * pixel.stretch, length, tau,
+            static_cast<float>((s1 - s0) / (s0 + s1)));
+        }
+      });
   }
 }
 }

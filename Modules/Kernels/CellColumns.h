@@ -80,11 +80,13 @@ public:
     return this->Pixels[static_cast<std::size_t>(y - this->Extent.y0) * this->Extent.width +
       (x - this->Extent.x0)];
   }
-  double limit() const { return this->Limit; } ///< the greatest of the pixels'
+  const double* u() const { return this->U.data(); } ///< of the pixels of a row
+  double limit() const { return this->Limit; }       ///< the greatest of the pixels'
 
 private:
   TileExtent Extent;
   std::vector<Pixel> Pixels;
+  std::vector<double> U;
   double Limit = 0;
 };
 
@@ -101,8 +103,8 @@ public:
   /// The pixels that its drawn cells may touch.
   PixelBox box() const;
 
-  /// Add its segments to the tile. The colour is the source function, kappa of Max 1994 eq. 5-7.
-  void emit(DeepTile& tile, const TileRays& rays, const RGB& colour) const;
+  /// Add its segments to the tile. The source is one of DeepTile::addSource, kappa of Max 1994 eq. 5-7.
+  void emit(DeepTile& tile, const TileRays& rays, std::uint32_t source) const;
 
 private:
   struct Corner
@@ -119,12 +121,14 @@ private:
   struct Bounds;
 
   Cell cell(int k) const;
-  Bounds bounds(const Corner* const* corners, int n) const;
-  PixelBox pixels(const Bounds& bounds) const;
+  template <std::size_t N>
+  Bounds bounds(const Corner* const (&corners)[N]) const;
+  Bounds boundsAtEye(const Corner* const* corners, std::size_t n) const;
+  static PixelBox pixels(const Bounds& bounds, const TileExtent& within);
   template <bool Parallel>
-  void emitCells(DeepTile& tile, const TileRays& rays, const RGB& colour) const;
+  void emitCells(DeepTile& tile, const TileRays& rays, std::uint32_t source) const;
   template <bool Parallel>
-  void emitTetrahedron(DeepTile& tile, const TileRays& rays, const RGB& colour, const Cell& cell,
+  void emitTetrahedron(DeepTile& tile, const TileRays& rays, std::uint32_t source, const Cell& cell,
     const std::array<std::uint8_t, 4>& vertices) const;
 
   const CellColumns& Columns;

@@ -1,45 +1,284 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DeepTile.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace nephoscope
 {
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// Stable counting sort by pixel. starts[p] is where pixel p ends in `sorted` (and p + 1 starts) on return.
+template <class T, class PixelOf>
+void sortByPixel(const std::vector<T>& items, std::size_t n, std::size_t pixels,
+  const PixelOf& pixelOf, std::vector<T>& sorted, std::vector<std::size_t>& starts)
+{
+  starts.assign(pixels + 1, 0);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    ++starts[pixelOf(i) + 1];
+  }
+  for (std::size_t p = 0; p < pixels; ++p)
+  {
+    starts[p + 1] += starts[p];
+  }
+  if (sorted.size() < n)
+  {
+    sorted.resize(n);
+  }
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    sorted[starts[pixelOf(i)]++] = items[i];
+  }
+}
+
+/// Part of a piece's optical depth before x, which goes from 0 to 1 along it.
+double shareBefore(const MediumPiece& piece, double x)
+{
+  return x <= 0 ? 0 : x >= 1 ? 1 : x * (1 + piece.skew * (x - 1));
+}
+
+/// Where a piece has let a part of its optical depth pass: x (1 + skew (x - 1)) = part.
+double distanceIn(const MediumPiece& piece, double part)
+{
+  const double b = 1 - piece.skew;
+  const double root = b + std::sqrt(b * b + 4 * piece.skew * part);
+  return piece.nearEnd + piece.length * (root > 0 ? std::min(2 * part / root, 1.0) : 0);
+}
+
+/// The optical depth of pieces up to a distance.
+double depthBefore(const MediumPiece* first, const MediumPiece* last, double distance)
+{
+  double sum = 0;
+  for (const MediumPiece* p = first; p != last; ++p)
+  {
+    sum += p->opticalDepth * shareBefore(*p, (distance - p->nearEnd) / p->length);
+  }
+  return sum;
+}
+
+/// The distance in [near, far] at which the pieces' optical depths add up to a sum, if none overlaps another. Reorders them.
+double distanceInOrder(MediumPiece* first, MediumPiece* last, double near, double far, double sum)
+{
+  // Narrowed down to one of 64 stretches, whose few pieces are sorted.
+  constexpr int Stretches = 64;
+  double depths[Stretches] = {};
+  const double scale = far > near ? Stretches / (far - near) : 0;
+  const auto stretch = [near, scale](const MediumPiece& p)
+  { return std::min(static_cast<int>((p.nearEnd - near) * scale), Stretches - 1); };
+  for (const MediumPiece* p = first; p != last; ++p)
+  {
+    depths[stretch(*p)] += p->opticalDepth;
+  }
+  int found = 0;
+  while (found < Stretches - 1 && depths[found] < sum)
+  {
+    sum -= depths[found++];
+  }
+  last = std::partition(
+    first, last, [found, &stretch](const MediumPiece& p) { return stretch(p) == found; });
+  std::sort(
+    first, last, [](const MediumPiece& a, const MediumPiece& b) { return a.nearEnd < b.nearEnd; });
+  while (first + 1 < last && first->opticalDepth < sum)
+  {
+    sum -= first->opticalDepth;
+    ++first;
+  }
+  return first < last ? distanceIn(*first, std::min(sum / first->opticalDepth, 1.0)) : far;
+}
+
+/// The distance in [near, far] at which the pieces' optical depths add up to a sum. Reorders them.
+double distanceOf(MediumPiece* first, MediumPiece* last, double near, double far, double sum)
+{
+  const double distance = distanceInOrder(first, last, near, far, sum);
+  if (std::abs(depthBefore(first, last, distance) - sum) <= 1e-5)
+  {
+    return distance;
+  }
+  for (int halving = 0; halving < 60; ++halving)
+  {
+    const double middle = 0.5 * (near + far);
+    (depthBefore(first, last, middle) < sum ? near : far) = middle;
+  }
+  return far;
+}
+
+Segment segmentOf(const MediumPiece& piece, const RGB& source)
+{
+  const float tau = piece.opticalDepth;
+  const auto light = static_cast<float>(-std::expm1(-static_cast<double>(tau)));
+  return { piece.nearEnd, piece.nearEnd + piece.length, { tau, tau, tau },
+    { light * source[0], light * source[1], light * source[2] }, piece.skew };
+}
+}
+
 void DeepTile::reset(const TileExtent& extent)
 {
   this->Extent = extent;
   this->Segments.clear();
   this->Pixels.clear();
-  this->OpaqueAt.assign(static_cast<std::size_t>(extent.width) * extent.height,
-    std::numeric_limits<double>::infinity());
+  this->NumberOfPieces = 0;
+  this->Sources.clear();
+  this->OpaqueAt.assign(static_cast<std::size_t>(extent.width) * extent.height, Infinity);
+}
+
+std::uint32_t DeepTile::addSource(const RGB& source)
+{
+  const auto known = std::find(this->Sources.begin(), this->Sources.end(), source);
+  const auto number = static_cast<std::uint32_t>(known - this->Sources.begin());
+  if (known == this->Sources.end())
+  {
+    this->Sources.push_back(source);
+  }
+  return number;
+}
+
+void DeepTile::makeLayers(const Segment* begin, const Segment* end)
+{
+  this->Layers.clear();
+  for (const Segment* s = begin; s != end; ++s)
+  {
+    this->Layers.push_back({ s->nearEnd, 0, Infinity, -Infinity });
+  }
+  this->Layers.push_back({ Infinity, 0, Infinity, -Infinity });
+}
+
+void DeepTile::addToLayers(const MediumPiece* first, const MediumPiece* last)
+{
+  // Most lie before the nearest surface.
+  Layer nearest = this->Layers.front();
+  for (const MediumPiece* p = first; p != last; ++p)
+  {
+    const double far = p->nearEnd + p->length;
+    if (far <= nearest.end)
+    {
+      nearest.nearEnd = std::min(nearest.nearEnd, p->nearEnd);
+      nearest.farEnd = std::max(nearest.farEnd, far);
+      nearest.opticalDepth += p->opticalDepth;
+    }
+    else
+    {
+      std::swap(nearest, this->Layers.front());
+      this->splitAmongLayers(*p);
+      std::swap(nearest, this->Layers.front());
+    }
+  }
+  this->Layers.front() = nearest;
+}
+
+void DeepTile::splitAmongLayers(const MediumPiece& piece)
+{
+  const double far = piece.nearEnd + piece.length;
+  Layer* layer = this->Layers.data();
+  while (layer->end <= piece.nearEnd)
+  {
+    ++layer;
+  }
+  layer->nearEnd = std::min(layer->nearEnd, piece.nearEnd);
+  double before = 0;
+  for (; layer->end < far; ++layer)
+  {
+    const double share = shareBefore(piece, (layer->end - piece.nearEnd) / piece.length);
+    layer->opticalDepth += piece.opticalDepth * (share - before);
+    layer->farEnd = layer->end;
+    layer[1].nearEnd = layer->end;
+    before = share;
+  }
+  layer->opticalDepth += piece.opticalDepth * (1 - before);
+  layer->farEnd = std::max(layer->farEnd, far);
+}
+
+/// Surfaces and the media between them, whose pieces all have one source.
+PixelLight DeepTile::compositeLayers(
+  Segment* begin, Segment* end, MediumPiece* first, MediumPiece* last)
+{
+  std::stable_sort(
+    begin, end, [](const Segment& a, const Segment& b) { return a.nearEnd < b.nearEnd; });
+  this->makeLayers(begin, end);
+  this->addToLayers(first, last);
+  const RGB& source = this->Sources[first->pixelAndSource >> PixelBits];
+  this->Pixel.assign(begin, end); // before a layer that begins at a surface comes the surface
+  for (const Layer& layer : this->Layers)
+  {
+    if (layer.opticalDepth > 0)
+    {
+      const auto length = static_cast<float>(layer.farEnd - layer.nearEnd);
+      this->Pixel.push_back(
+        segmentOf({ layer.nearEnd, length, static_cast<float>(layer.opticalDepth), 0, 0 }, source));
+      this->Pixel.back().farEnd = layer.farEnd;
+    }
+  }
+  PixelLight light = nephoscope::composite(this->Pixel);
+  light.depth = this->depthInLayers(light.depth, first, last);
+  return light;
+}
+
+/// The depth that was interpolated as if layers were uniform, from the pieces that they are of.
+double DeepTile::depthInLayers(double depth, MediumPiece* first, MediumPiece* last) const
+{
+  double before = 0; // optical depth of the layers up to the one of the depth, and of that up to it
+  double near = Infinity;
+  double far = -Infinity;
+  bool inside = false;
+  for (const Layer& layer : this->Layers)
+  {
+    near = std::min(near, layer.nearEnd);
+    far = std::max(far, layer.farEnd);
+    const bool here = depth > layer.nearEnd && depth < layer.farEnd;
+    const double part = (depth - layer.nearEnd) / (layer.farEnd - layer.nearEnd);
+    before += inside ? 0 : layer.opticalDepth * (here ? part : 1);
+    inside = inside || here;
+  }
+  return inside ? distanceOf(first, last, near, far, before) : depth;
+}
+
+PixelLight DeepTile::compositeAny(
+  Segment* begin, Segment* end, MediumPiece* first, MediumPiece* last)
+{
+  if (first == last)
+  {
+    return nephoscope::composite(begin, end);
+  }
+  const std::uint32_t source = first->pixelAndSource >> PixelBits;
+  if (std::all_of(begin, end, [](const Segment& s) { return s.nearEnd == s.farEnd; }) &&
+    std::all_of(first, last,
+      [source](const MediumPiece& p) { return p.pixelAndSource >> PixelBits == source; }))
+  {
+    return this->compositeLayers(begin, end, first, last);
+  }
+  this->Pixel.assign(begin, end);
+  for (const MediumPiece* p = first; p != last; ++p)
+  {
+    this->Pixel.push_back(segmentOf(*p, this->Sources[p->pixelAndSource >> PixelBits]));
+  }
+  return nephoscope::composite(this->Pixel);
 }
 
 void DeepTile::composite(std::vector<PixelLight>& light)
 {
-  // Counting sort by pixel, stable, so that the order of arrival decides between equal distances.
+  // Stable, so that the order of arrival decides between equal distances.
   const std::size_t pixels = this->OpaqueAt.size();
-  this->Starts.assign(pixels + 1, 0);
-  for (const std::uint32_t pixel : this->Pixels)
-  {
-    ++this->Starts[pixel + 1];
-  }
-  for (std::size_t p = 0; p < pixels; ++p)
-  {
-    this->Starts[p + 1] += this->Starts[p];
-  }
-  this->Sorted.resize(this->Segments.size());
-  for (std::size_t s = 0; s < this->Segments.size(); ++s)
-  {
-    this->Sorted[this->Starts[this->Pixels[s]]++] = this->Segments[s];
-  }
-  // Each start has moved on to the next pixel's.
+  sortByPixel(
+    this->Segments, this->Segments.size(), pixels,
+    [this](std::size_t i) { return this->Pixels[i]; }, this->Sorted, this->Starts);
+  sortByPixel(
+    this->Pieces, this->NumberOfPieces, pixels,
+    [this](std::size_t i) { return this->Pieces[i].pixelAndSource & PixelMask; },
+    this->SortedPieces, this->PieceStarts);
   light.resize(pixels);
   std::size_t begin = 0;
+  std::size_t first = 0;
   for (std::size_t p = 0; p < pixels; ++p)
   {
     const std::size_t end = this->Starts[p];
-    light[p] = nephoscope::composite(this->Sorted.data() + begin, this->Sorted.data() + end);
+    const std::size_t last = this->PieceStarts[p];
+    light[p] = this->compositeAny(this->Sorted.data() + begin, this->Sorted.data() + end,
+      this->SortedPieces.data() + first, this->SortedPieces.data() + last);
     begin = end;
+    first = last;
   }
 }
 }

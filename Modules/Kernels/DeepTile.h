@@ -24,10 +24,28 @@ struct TileExtent
 };
 
 /**
+ * @brief A grey piece of a medium: a Segment in half the space, whose radiance is source (1 - exp(-tau)).
+ *
+ * Extinction is linear along it, as Segment::skew says.
+ */
+struct MediumPiece
+{
+  double nearEnd;     ///< distance along the ray, scene units
+  float length;       ///< > 0
+  float opticalDepth; ///< > 0
+  float skew;         ///< -1 to 1
+  std::uint32_t pixelAndSource;
+};
+
+/**
  * @brief Collects segments in any order and composites them pixel by pixel.
  *
- * One thread fills one tile. Memory is that of the tile's segments (52 bytes each) and is kept for the next tile.
- * What lies behind an opaque surface that was added before is not kept.
+ * One thread fills one tile. Memory is that of the tile's segments (52 bytes each, pieces of media 24; both twice) and is
+ * kept for the next tile. What lies behind an opaque surface that was added before is not kept.
+ *
+ * Pieces of one source need no order between two surfaces, since their light is source (1 - exp(-sum tau)) however they
+ * come; so a pixel of them and of surfaces is not sorted, only its Depth is searched for. In all other pixels they
+ * are segments like others.
  */
 class DeepTile
 {
@@ -55,10 +73,30 @@ public:
     this->Pixels.push_back(pixel);
   }
 
+  /// A source function for addPiece, the same number for the same one. At most 4096 in a tile.
+  std::uint32_t addSource(const RGB& source);
+
+  /// Add a piece of a medium that is known to end before what is opaque.
+  void addPiece(
+    int x, int y, std::uint32_t source, double near, float length, float opticalDepth, float skew)
+  {
+    if (this->NumberOfPieces == this->Pieces.size())
+    {
+      this->Pieces.resize(2 * this->NumberOfPieces + 1024);
+    }
+    MediumPiece& piece =
+      this->Pieces[this->NumberOfPieces++]; // in place: a copy would wait for its parts
+    piece.nearEnd = near;
+    piece.length = length;
+    piece.opticalDepth = opticalDepth;
+    piece.skew = skew;
+    piece.pixelAndSource = this->index(x, y) | source << PixelBits;
+  }
+
   /// No segment beyond this distance along the pixel's ray can be seen (infinity if nothing opaque is known yet).
   double opaqueAt(int x, int y) const { return this->OpaqueAt[this->index(x, y)]; }
 
-  std::size_t numberOfSegments() const { return this->Segments.size(); }
+  std::size_t numberOfSegments() const { return this->Segments.size() + this->NumberOfPieces; }
 
   /// Composite every pixel; light[(y - y0) * width + (x - x0)] on return.
   void composite(std::vector<PixelLight>& light);
@@ -70,12 +108,39 @@ private:
       (y - this->Extent.y0) * this->Extent.width + (x - this->Extent.x0));
   }
 
+  static constexpr int PixelBits = 20;
+  static constexpr std::uint32_t PixelMask = (1U << PixelBits) - 1;
+
+  PixelLight compositeAny(Segment* begin, Segment* end, MediumPiece* first, MediumPiece* last);
+  PixelLight compositeLayers(Segment* begin, Segment* end, MediumPiece* first, MediumPiece* last);
+  double depthInLayers(double depth, MediumPiece* first, MediumPiece* last) const;
+  void addToLayers(const MediumPiece* first, const MediumPiece* last);
+  void splitAmongLayers(const MediumPiece& piece);
+  void makeLayers(const Segment* begin, const Segment* end);
+
+  /// The medium between two surfaces.
+  struct Layer
+  {
+    double end; ///< the surface's distance
+    double opticalDepth;
+    double nearEnd;
+    double farEnd;
+  };
+
   TileExtent Extent;
   std::vector<Segment> Segments;
-  std::vector<std::uint32_t> Pixels;
+  std::vector<std::uint32_t> Pixels; ///< of the segments
+  std::vector<MediumPiece> Pieces;   ///< and room for more
+  std::size_t NumberOfPieces = 0;
+  std::vector<RGB> Sources;
   std::vector<double> OpaqueAt;
+  // Scratch of composite.
   std::vector<Segment> Sorted;
+  std::vector<MediumPiece> SortedPieces;
   std::vector<std::size_t> Starts;
+  std::vector<std::size_t> PieceStarts;
+  std::vector<Segment> Pixel;
+  std::vector<Layer> Layers;
 };
 }
 #endif

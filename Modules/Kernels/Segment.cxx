@@ -44,7 +44,8 @@ struct Accumulator
     {
       // exp(-tau_mean x) = 1 / (2 before) within a uniform stretch; at once where it is opaque.
       const double needed = std::log(2 * before);
-      const double have = std::log(before / this->mean());
+      const double have = this->mean() > 0 ? std::log(before) - std::log(this->mean())
+                                           : std::min({ tau[0], tau[1], tau[2] });
       this->depth = near + (std::isfinite(have) && have > 0 ? needed / have : 0) * (far - near);
     }
   }

@@ -85,13 +85,11 @@ struct PixelLinear
   double at(double u, double v) const { return this->a * u + (this->b * v + this->c); }
 };
 
-/// A stretch of a ray in a tetrahedron.
+/// A stretch of a ray in a tetrahedron, in depths. Rounding may leave nothing of it: farDepth <= nearDepth.
 struct RayPiece
 {
-  double nearDepth;   ///< depth, scene units
-  double farDepth;    ///< depth, > nearDepth
-  double nearDensity; ///< at nearDepth
-  double farDensity;  ///< at farDepth
+  double nearDepth;
+  double farDepth;
 };
 
 /**
@@ -134,46 +132,69 @@ public:
     this->addPlane(normals[2], *q[0], side, parallel);
     this->addPlane(normals[3], *q[0], -side, parallel);
     this->setDensity(normals, det, *q[0], s, parallel);
-    return true;
+    return this->Leaves > 0; // what has no far side is flat to within rounding
   }
 
   /**
-   * The piece of one ray.
-   * @param u, v the ray, @param limit the depth beyond which nothing is wanted
-   * @return false if the ray misses
+   * The pieces of the rays of a row.
+   * @param u offsets of the rays along the row, @param n of them; @param v of the row
+   * @param visit called as visit(i, piece) for each ray that meets the tetrahedron
    */
-  template <bool Parallel>
-  bool meet(double u, double v, double limit, RayPiece& piece) const
+  template <bool Parallel, class Visit>
+  void meetRow(const double* u, int n, double v, Visit&& visit) const
   {
-    double enter = Parallel ? 0 : -std::numeric_limits<double>::infinity();
-    double leave =
-      Parallel ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::min();
-    for (int f = 0; f < this->Enters; ++f)
+    switch (this->Enters)
     {
-      enter = std::max(enter, this->Enter[f].at(u, v));
+      case 0:
+        return this->row<Parallel, 0>(u, n, v, visit);
+      case 1:
+        return this->row<Parallel, 1>(u, n, v, visit);
+      case 2:
+        return this->row<Parallel, 2>(u, n, v, visit);
+      default:
+        return this->row<Parallel, 3>(u, n, v, visit);
     }
-    for (int f = 0; f < this->Leaves; ++f)
-    {
-      leave = std::min(leave, this->Leave[f].at(u, v));
-    }
-    if (!(enter < leave))
-    {
-      return false;
-    }
-    const double z0 = std::max(Parallel ? enter : -1 / enter, this->Nearest);
-    const double z1 = std::min({ Parallel ? leave : -1 / leave, this->Farthest, limit });
+  }
+
+  /// The density at a depth on a ray.
+  template <bool Parallel>
+  double density(double u, double v, double depth) const
+  {
     const double varying = this->Varying.at(u, v);
-    piece.nearDepth = z0;
-    piece.farDepth = z1;
-    piece.nearDensity =
-      this->density(Parallel ? varying + this->Fixed * z0 : this->Fixed + varying * z0);
-    piece.farDensity =
-      this->density(Parallel ? varying + this->Fixed * z1 : this->Fixed + varying * z1);
-    return z0 < z1;
+    const double s = Parallel ? varying + this->Fixed * depth : this->Fixed + varying * depth;
+    return std::max(this->Thinnest, std::min(s, this->Densest));
   }
 
 private:
-  double density(double s) const { return std::max(this->Thinnest, std::min(s, this->Densest)); }
+  template <bool Parallel, int NumberEntered, class Visit>
+  void row(const double* u, int n, double v, Visit&& visit) const
+  {
+    double at[4];
+    for (int f = 0; f < 4; ++f)
+    {
+      at[f] = this->Planes[f].b * v + this->Planes[f].c;
+    }
+    for (int i = 0; i < n; ++i)
+    {
+      double enter = Parallel ? 0 : -std::numeric_limits<double>::infinity();
+      double leave =
+        Parallel ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::min();
+      for (int f = 0; f < NumberEntered; ++f)
+      {
+        enter = std::max(enter, this->Planes[f].a * u[i] + at[f]);
+      }
+      for (int f = NumberEntered; f < 4; ++f)
+      {
+        leave = std::min(leave, this->Planes[f].a * u[i] + at[f]);
+      }
+      if (enter < leave)
+      {
+        visit(i,
+          RayPiece{ std::max(Parallel ? enter : -1 / enter, this->Nearest),
+            std::min(Parallel ? leave : -1 / leave, this->Farthest) });
+      }
+    }
+  }
 
   /// The plane through a point; `outward` is the sign that turns the normal out of the tetrahedron.
   void addPlane(const Vector3& n, const Vector3& through, double outward, bool parallel)
@@ -185,7 +206,7 @@ private:
     divisor = std::abs(divisor) < Tiny ? Tiny : divisor;
     const double scale = -1 / divisor;
     const PixelLinear k = { n[0] * scale, n[1] * scale, parallel ? -c * scale : n[2] * scale };
-    (divisor * outward > 0 ? this->Leave[this->Leaves++] : this->Enter[this->Enters++]) = k;
+    this->Planes[divisor * outward > 0 ? 3 - this->Leaves++ : this->Enters++] = k;
   }
 
   /// s = s_0 + sum (s_i - s_0) lambda_i along the ray, as Fixed + Varying(u, v) z or Varying(u, v) + Fixed z.
@@ -202,8 +223,7 @@ private:
     this->Varying = { gradient[0], gradient[1], parallel ? atEye : gradient[2] };
   }
 
-  PixelLinear Enter[4];
-  PixelLinear Leave[4];
+  PixelLinear Planes[4]; ///< those that rays enter by first, then those they leave by
   int Enters = 0;
   int Leaves = 0;
   PixelLinear Varying;

@@ -334,14 +334,14 @@ void vtkCloudCellVolume::Emit(const nephoscope::Camera& camera, nephoscope::Deep
   const Internals& data = *this->Data;
   const nephoscope::RaySpace space(camera);
   const nephoscope::TileRays rays(space, tile);
-  const nephoscope::RGB colour = { static_cast<float>(this->Color[0]),
-    static_cast<float>(this->Color[1]), static_cast<float>(this->Color[2]) };
+  const std::uint32_t source = tile.addSource({ static_cast<float>(this->Color[0]),
+    static_cast<float>(this->Color[1]), static_cast<float>(this->Color[2]) });
   nephoscope::ColumnRays column(data.Columns, space, camera.width(), camera.height());
   data.Bins.ForEach(tile.extent(), rays.limit(),
-    [&data, &tile, &rays, &colour, &column](std::uint32_t thing)
+    [&data, &tile, &rays, source, &column](std::uint32_t thing)
     {
       column.look(data.Drawn[thing]);
-      column.emit(tile, rays, colour);
+      column.emit(tile, rays, source);
     });
 }
 

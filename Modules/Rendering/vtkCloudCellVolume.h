@@ -68,7 +68,8 @@ public:
   ///@}
 
   ///@{
-  /// Extinction where the cloud fraction is 1, 1/m of height. Default 1e-3: a kilometre of it has optical depth 1.
+  /// Extinction where the cloud fraction is 1, 1/m of height. Default 2e-4: five kilometres of it have optical
+  /// depth 1.
   vtkSetClampMacro(FullCoverExtinction, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(FullCoverExtinction, double);
   ///@}
@@ -127,7 +128,7 @@ private:
   vtkDataArray* FindArray(vtkDataSet* grid, vtkDataArray* array, const char* name, bool required);
 
   int ExtinctionRule = CloudFraction;
-  double FullCoverExtinction = 1e-3;
+  double FullCoverExtinction = 2e-4;
   double ExtinctionScale = 1;
   double ExtinctionEfficiency = 2;
   double LiquidRadius = 10e-6;

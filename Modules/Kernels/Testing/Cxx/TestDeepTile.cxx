@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
+#include <vector>
 
 using nephoscope::DeepTile;
 using nephoscope::Opaque;
@@ -43,4 +46,96 @@ TEST(DeepTile, HiddenSegmentsAreNotKept)
   tile.add(1, 0, { 4, 7, { 1, 1, 1 }, { 0, 0, 0 } });
   EXPECT_EQ(tile.numberOfSegments(), 2U);
   EXPECT_TRUE(std::isinf(tile.opaqueAt(0, 0)));
+}
+
+namespace
+{
+using nephoscope::Segment;
+
+/// A medium of many pieces in the wrong order, and the same as segments.
+struct Medium
+{
+  std::vector<Segment> segments;
+
+  Medium(DeepTile& tile, const std::vector<nephoscope::RGB>& sources, unsigned seed)
+  {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> part(0, 1);
+    std::vector<int> order(60);
+    for (int i = 0; i < 60; ++i)
+    {
+      order[i] = i;
+    }
+    std::shuffle(order.begin(), order.end(), random);
+    for (const int i : order)
+    {
+      const nephoscope::RGB& source = sources[i % sources.size()];
+      const float tau = 0.1F * part(random);
+      const float skew = 2 * part(random) - 1;
+      const float light = -std::expm1(-tau);
+      this->segments.push_back({ 5 + 0.5 * i, 5.5 + 0.5 * i, { tau, tau, tau },
+        { light * source[0], light * source[1], light * source[2] }, skew });
+      tile.addPiece(1, 0, tile.addSource(source), 5 + 0.5 * i, 0.5F, tau, skew);
+    }
+  }
+};
+
+void expectSame(PixelLight a, PixelLight b)
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    EXPECT_NEAR(a.radiance[c], b.radiance[c], 1e-6);
+    EXPECT_NEAR(a.transmittance[c], b.transmittance[c], 1e-6);
+  }
+}
+}
+
+TEST(DeepTile, PiecesOfMediaAreSegmentsInLessSpace)
+{
+  const std::vector<Segment> others = { { 17.1, 17.1, { 0.2F, 0.1F, 0.3F }, { 1, 0, 0 } },
+    { 9.8, 9.8, { 0.5F, 0.5F, 0.5F }, { 0, 2, 0 } }, { 1, 1, { 1, 1, 1 }, { 0, 0, 3 } },
+    { 9.8, 9.8, { 0.1F, 0.1F, 0.1F }, { 0, 0, 5 } }, { 8, 20, { 1, 1, 1 }, { 0.5F, 0.5F, 0.5F } } };
+  std::vector<PixelLight> light;
+  for (std::size_t number = 0; number <= others.size(); ++number)
+  {
+    for (std::size_t sources = 1; sources <= 2; ++sources)
+    {
+      DeepTile tile;
+      tile.reset({ 0, 0, 2, 1 });
+      const std::vector<nephoscope::RGB> both = { { 1, 0.5F, 0.25F }, { 0.2F, 0.7F, 3 } };
+      Medium medium(tile, { both.begin(), both.begin() + static_cast<int>(sources) }, 17);
+      for (std::size_t s = 0; s < number; ++s)
+      {
+        tile.add(1, 0, others[s]);
+        medium.segments.push_back(others[s]);
+      }
+      EXPECT_EQ(tile.numberOfSegments(), 60 + number);
+      tile.composite(light);
+      const PixelLight expected = nephoscope::composite(medium.segments);
+      expectSame(light[1], expected);
+      EXPECT_NEAR(
+        light[1].depth, expected.depth, 0.25); // within its piece it is linear, and uniform there
+    }
+  }
+}
+
+TEST(DeepTile, DepthInPiecesOfMediaFollowsTheirLinearExtinction)
+{
+  DeepTile tile;
+  tile.reset({ 0, 0, 1, 1 });
+  const std::uint32_t white = tile.addSource({ 1, 1, 1 });
+  EXPECT_EQ(tile.addSource({ 0, 1, 1 }), white + 1);
+  EXPECT_EQ(tile.addSource({ 1, 1, 1 }), white);
+  // Extinction a x from the eye on, 1000 pieces of it: a d^2 / 2 = ln 2.
+  const double a = 0.03;
+  for (int i = 999; i >= 0; --i)
+  {
+    const double x = 0.02 * i;
+    tile.addPiece(0, 0, white, x, 0.02F, static_cast<float>(a * 0.02 * (x + 0.01)),
+      static_cast<float>(0.01 / (x + 0.01)));
+  }
+  std::vector<PixelLight> light;
+  tile.composite(light);
+  EXPECT_NEAR(light[0].depth, std::sqrt(2 * std::log(2.0) / a), 1e-5);
+  EXPECT_NEAR(light[0].transmittance[0], std::exp(-a * 200), 1e-6);
 }

@@ -195,6 +195,11 @@ TEST(Segment, DepthIsWhereHalfIsLetThrough)
 {
   EXPECT_NEAR(compositeOf({ uniform(10, 12, 2, 0) }).depth, 10 + std::log(2.0), 1e-6);
   EXPECT_TRUE(std::isinf(compositeOf({ uniform(10, 12, 0.5F, 0) }).depth));
+  // Where what is let through is next to nothing, or is nothing as far as numbers go.
+  for (const float tau : { 700.0F, 715.0F, 740.0F, 1e6F })
+  {
+    EXPECT_NEAR(compositeOf({ uniform(10, 12, tau, 0) }).depth, 10 + 2 * std::log(2.0) / tau, 1e-7);
+  }
 }
 
 TEST(TransmittedMean, JoinsSeriesAndFormula)

@@ -59,8 +59,8 @@ inline vtkNew<vtkStructuredGrid> makeGrid(
   return grid;
 }
 
-/// The optical depth of a ray in one tetrahedron, from barycentric coordinates along the ray.
-inline Real opticalDepth(const Ray& ray, const Vector3 (&p)[4], const double (&s)[4])
+/// The optical depth of a ray up to a distance in one tetrahedron, from barycentric coordinates along the ray.
+inline Real opticalDepth(const Ray& ray, const Vector3 (&p)[4], const double (&s)[4], Real limit)
 {
   Real e[3][3];
   Real o[3];
@@ -90,7 +90,7 @@ inline Real opticalDepth(const Ray& ray, const Vector3 (&p)[4], const double (&s
   Real per[4] = { 0, det3(d, e[1], e[2]) / det, det3(e[0], d, e[2]) / det,
     det3(e[0], e[1], d) / det };
   Real near = 0;
-  Real far = std::numeric_limits<Real>::infinity();
+  Real far = limit;
   for (int i = 1; i < 4; ++i)
   {
     at[0] -= at[i];
@@ -125,7 +125,8 @@ inline Real opticalDepth(const Ray& ray, const Vector3 (&p)[4], const double (&s
 
 /// The sum over all tetrahedra: of each cell the middle one joins the corners of even i+j+k, and each odd corner makes one
 /// with its three neighbours.
-inline Real opticalDepth(const Ray& ray, vtkStructuredGrid* grid)
+inline Real opticalDepth(
+  const Ray& ray, vtkStructuredGrid* grid, double limit = std::numeric_limits<double>::infinity())
 {
   int n[3];
   grid->GetDimensions(n);
@@ -166,7 +167,7 @@ inline Real opticalDepth(const Ray& ray, vtkStructuredGrid* grid)
         grid->GetPoint(id, p[c].v);
         s[c] = fraction->GetComponent(id, 0);
       }
-      sum += opticalDepth(ray, p, s);
+      sum += opticalDepth(ray, p, s, limit);
     }
   }
   return sum;
