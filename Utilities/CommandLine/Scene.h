@@ -77,7 +77,7 @@ struct TextureBody : SurfaceBody
   int octaves = 7;
   double offset = 0.5;
   double threshold = 0.1;
-  double rimThreshold = 0.3;
+  std::optional<double> rimThreshold;
   double range = 0.25;
   int seed = 1;
 };
@@ -87,7 +87,7 @@ struct VolumeBody
 {
   std::string quantity = "automatic";
   double extinction = 0.15;
-  double scale = 1;
+  std::optional<double> scale;
   double liquidRadius = 10;
   double iceRadius = 30;
   Triple color{ 1, 1, 1 };

@@ -39,6 +39,12 @@ bool isSurface(const Body& body)
   return std::holds_alternative<SurfaceBody>(body) || std::holds_alternative<TextureBody>(body);
 }
 
+// A density emitter shows no more of a cloud than an optical depth of about 3; a model's clouds have 10 to 100.
+constexpr double CondensateScale = 0.05;
+
+// Optical depth of the haze between the eye and the middle of regional clouds.
+constexpr double HazeDepth = 0.2;
+
 /// Turns the parts of a scene into bodies, one after the other.
 class Builder
 {
@@ -61,27 +67,37 @@ public:
     vtkCloudSurface* const surface = this->addSurface(body);
     surface->SetOpacityModeToTexture();
     surface->SetTextureWavelength(
-      body.wavelength ? *body.wavelength * 1000 * metre : 5 * this->Lie.gridStep);
+      body.wavelength ? *body.wavelength * 1000 * metre : 4 * this->Lie.gridStep);
     surface->SetTextureOctaves(body.octaves);
     surface->SetTextureOffset(body.offset);
     surface->SetTextureThreshold(body.threshold);
-    surface->SetTextureRimThreshold(body.rimThreshold);
+    // Flat clouds of a map are seen aslant everywhere: that is no outline to fray.
+    surface->SetTextureRimThreshold(
+      body.rimThreshold.value_or(this->Lie.isGlobe() ? 0.3 : body.threshold));
     surface->SetTextureRange(body.range);
     surface->SetTextureSeed(body.seed);
   }
 
   void operator()(const VolumeBody& body)
   {
+    const bool condensate = this->isCondensate(body);
     const vtkNew<vtkCloudCellVolume> volume;
     volume->SetInputData(this->Grid);
-    volume->SetExtinctionRule(this->isCondensate(body) ? vtkCloudCellVolume::Condensate
-                                                       : vtkCloudCellVolume::CloudFraction);
+    volume->SetExtinctionRule(
+      condensate ? vtkCloudCellVolume::Condensate : vtkCloudCellVolume::CloudFraction);
     volume->SetFullCoverExtinction(body.extinction / 1000);
-    volume->SetExtinctionScale(body.scale);
+    volume->SetExtinctionScale(body.scale.value_or(condensate ? CondensateScale : 1));
     volume->SetLiquidRadius(body.liquidRadius * 1e-6);
     volume->SetIceRadius(body.iceRadius * 1e-6);
     volume->SetColor(body.color.data());
     this->Built.scape->AddBody(volume);
+    if (condensate && !body.scale)
+    {
+      note(this->Parts.data.file +
+        ": the condensate's extinction is multiplied by 0.05, so that its structure shows; a scene "
+        "with scale: 1 "
+        "has the physical one");
+    }
   }
 
   void operator()(const GlobeBody& body)
@@ -100,11 +116,7 @@ public:
 
   void operator()(const UniformMedium& medium)
   {
-    const vtkNew<vtkCloudUniformMedium> haze;
-    const double extinction = medium.extinction / 1000;
-    haze->SetExtinction(extinction, extinction, extinction);
-    haze->SetColor(medium.color.data());
-    this->Built.scape->AddBody(haze);
+    this->addHaze(medium.extinction / 1000, medium.color);
   }
 
   BuiltScene finish()
@@ -119,6 +131,7 @@ private:
   bool isCondensate(const VolumeBody& body) const;
   vtkCloudSurface* addSurface(const SurfaceBody& body);
   void addGround(vtkCloudGround* ground, const Ground& look);
+  void addHaze(double extinction, const Triple& color);
   void light(vtkCloudLitBody* body);
 
   const Scene& Parts;
@@ -176,6 +189,7 @@ void Builder::lay(bool addGround)
   else if (addGround)
   {
     (*this)(PlaneBody());
+    this->addHaze(HazeDepth / camera->GetDistance(), Triple{ 0.42, 0.57, 0.8 });
   }
 }
 
@@ -239,6 +253,15 @@ void Builder::addGround(vtkCloudGround* ground, const Ground& look)
   ground->SetGraticule(look.graticule);
   this->light(ground);
   this->Built.scape->AddBody(ground);
+}
+
+/// Haze of an extinction per scene unit.
+void Builder::addHaze(double extinction, const Triple& color)
+{
+  const vtkNew<vtkCloudUniformMedium> haze;
+  haze->SetExtinction(extinction, extinction, extinction);
+  haze->SetColor(color.data());
+  this->Built.scape->AddBody(haze);
 }
 
 void Builder::light(vtkCloudLitBody* body)

@@ -29,7 +29,7 @@ struct BuiltScene
 /**
  * Read the data, make the bodies' inputs and put the picture together.
  *
- * A scene that names no ground gets a globe or a plane under its clouds if `addGround`. Choices that a user should know of
+ * With `addGround` the clouds get a globe under them, or a plane and haze. Choices that a user should know of
  * are said on standard error.
  * @throw Failure for data that cannot be read or drawn
  */

@@ -61,7 +61,7 @@ void visitKeys(CameraView& camera, Visitor&& visit)
           "map, local: compass direction from the data's middle to the eye", "150", -360, 360 },
     camera.bearing);
   visit(
-    Key{ "elevation", "degrees", "map, local: of the eye over the data's middle", "20", -90, 90 },
+    Key{ "elevation", "degrees", "map, local: of the eye over the data's middle", "15", -90, 90 },
     camera.elevation);
   visit(
     Key{ "distance", "1",
@@ -109,14 +109,15 @@ template <class Visitor>
 void visitKeys(TextureBody& body, Visitor&& visit)
 {
   visitKeys(static_cast<SurfaceBody&>(body), visit);
-  visit(Key{ "wavelength", "km", "longest wave of the texture", "5 grid steps", 1e-3, 1e5 },
+  visit(Key{ "wavelength", "km", "longest wave of the texture", "4 grid steps", 1e-3, 1e5 },
     body.wavelength);
   visit(Key{ "octaves", "1", "number of waves, each half as long as the last", "7", 1, 8 },
     body.octaves);
   visit(Key{ "offset", "1", "T0: large fills the gaps", "0.5", 0, 10 }, body.offset);
   visit(Key{ "threshold", "1", "T1: the texture below it is clear", "0.1", -1, 1 }, body.threshold);
-  visit(Key{ "rimThreshold", "1",
-          "T2: takes the threshold's place towards the outline, and frays it", "0.3", -1, 1 },
+  visit(
+    Key{ "rimThreshold", "1", "T2: takes the threshold's place towards the outline, and frays it",
+      "0.3; on a map the threshold", -1, 1 },
     body.rimThreshold);
   visit(
     Key{ "range", "1", "D: from clear to opaque; large is soft", "0.25", 1e-6, 10 }, body.range);
@@ -131,8 +132,9 @@ void visitKeys(VolumeBody& body, Visitor&& visit)
           { "automatic", "fraction", "condensate" } },
     body.quantity);
   visit(Key{ "extinction", "1/km", "of a cloud fraction of 1", "0.15", 0, 1e6 }, body.extinction);
-  visit(
-    Key{ "scale", "1", "factor on the extinction of either quantity", "1", 0, 1e6 }, body.scale);
+  visit(Key{ "scale", "1", "factor on the extinction; 1 is the physical one",
+          "1, of condensate 0.05", 0, 1e6 },
+    body.scale);
   visit(
     Key{ "liquidRadius", "um", "effective radius of droplets", "10", 0.1, 1e4 }, body.liquidRadius);
   visit(

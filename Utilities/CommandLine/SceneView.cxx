@@ -170,7 +170,7 @@ Vector3 towardEyeOf(const CameraView& view, const Extent& extent)
   if (!extent.isGlobe())
   {
     const double bearing = radians(view.bearing.value_or(150));
-    const double elevation = radians(view.elevation.value_or(20));
+    const double elevation = radians(view.elevation.value_or(15));
     return { std::cos(elevation) * std::sin(bearing), std::cos(elevation) * std::cos(bearing),
       std::sin(elevation) };
   }
@@ -186,7 +186,7 @@ Vector3 towardEyeOf(const CameraView& view, const Extent& extent)
 Vector3 eyeOf(const CameraView& view, const Extent& extent, const Vector3& target,
   const Vector3& towardEye, const Frame& frame, const std::array<int, 2>& size)
 {
-  constexpr double margin = 1.03;
+  constexpr double margin = 1.06;
   const double tangentUp = std::tan(radians(view.viewAngle / 2)) / margin;
   const double tangentAcross = tangentUp * size[0] / size[1];
   if (extent.isGlobe())
@@ -247,7 +247,7 @@ double exaggerationOf(const Extent& extent)
     ? extent.planetRadius
     : std::max(extent.bounds[1] - extent.bounds[0], extent.bounds[3] - extent.bounds[2]);
   const double metre = extent.heightScale;
-  const double factor = std::clamp(width / (6 * Troposphere * metre), 1.0, 40.0);
+  const double factor = std::clamp(width / (4 * Troposphere * metre), 1.0, 40.0);
   const double digit = factor < 10 ? 0.1 : 1;
   return std::round(factor / digit) * digit;
 }
@@ -310,7 +310,7 @@ vtkSmartPointer<vtkCloudGradedBackdrop> backdropOf(const Backdrop& backdrop, con
   const bool globe = extent.isGlobe();
   auto graded = vtkSmartPointer<vtkCloudGradedBackdrop>::New();
   graded->SetZenith(backdrop.zenith.value_or(globe ? space : Triple{ 0.08, 0.19, 0.45 }).data());
-  graded->SetHorizon(backdrop.horizon.value_or(globe ? space : Triple{ 0.5, 0.63, 0.8 }).data());
+  graded->SetHorizon(backdrop.horizon.value_or(globe ? space : Triple{ 0.42, 0.57, 0.8 }).data());
   graded->SetNadir(backdrop.nadir.value_or(globe ? space : Triple{ 0.02, 0.05, 0.1 }).data());
   return graded;
 }
