@@ -110,8 +110,8 @@ protected:
       const double transmittance = std::exp(-tau);
       cloudy += transmittance < 1 - 1e-3;
       const double depth = this->Value(nephoscope::arrays::Depth, pixel, 0);
-      EXPECT_NEAR(std::exp(-opticalDepth(ray, grid, depth)), std::max(0.5, transmittance),
-        this->DepthTolerance)
+      EXPECT_NEAR(std::isinf(depth) ? transmittance : std::exp(-opticalDepth(ray, grid, depth)),
+        std::max(0.5, transmittance), this->DepthTolerance)
         << "pixel " << pixel;
       for (int c = 0; c < 3; ++c)
       {
@@ -195,7 +195,7 @@ TEST_F(CloudCellVolume, AgreesFromVerticesEdgesAndFacesOfAStraightGrid)
 
 TEST_F(CloudCellVolume, AgreesOnAGlobeInMetres)
 {
-  const auto grid = makeGrid(25, 13, 6, globe, randomDensity(1e-8, 1e-5, 3));
+  const auto grid = makeGrid(17, 10, 5, globe, randomDensity(1e-8, 1e-5, 3));
   this->Look({ 2e7, 1e7, 1.2e7 }, { 0, 0, 0 }, 35);
   EXPECT_GT(this->Compare(grid), 200);
   this->Look({ 2e7, 1e7, 1.2e7 }, { 0, 0, 0 }, 8e6, true);
