@@ -44,7 +44,7 @@ extern "C" void onInterrupt(int signal)
 fs::path targetOf(const std::string& path)
 {
   std::error_code error;
-  const fs::path target = fs::weakly_canonical(fs::absolute(path), error);
+  fs::path target = fs::weakly_canonical(fs::absolute(path), error);
   const fs::path folder = target.parent_path();
   if (error || !fs::is_directory(folder, error))
   {
