@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include <cstdlib>
+#include <cstdio>
 #include <iostream>
 #include <new>
 
@@ -49,9 +49,8 @@ int run(CLI::App& app, int argc, char** argv)
   }
   return RunTimeError;
 }
-}
 
-int main(int argc, char** argv)
+int program(int argc, char** argv)
 {
   handleInterrupts();
   Messages::install();
@@ -76,4 +75,19 @@ int main(int argc, char** argv)
     return RunTimeError;
   }
   return code;
+}
+}
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    return program(argc, argv);
+  }
+  catch (...)
+  {
+    // Not even a message could be made.
+    std::fputs("nephoscope: out of memory\n", stderr);
+    return RunTimeError;
+  }
 }
