@@ -88,6 +88,7 @@ void start(Entry& entry)
   if (entry.running() && entry.ask(Worker::Command::Run, answer))
   {
     m.firstSeconds = answer.seconds;
+    m.peakMemory = answer.memory;
     entry.used = answer.seconds;
   }
 }
@@ -98,16 +99,17 @@ void runOnce(Entry& entry)
   if (entry.ask(Worker::Command::Run, answer))
   {
     entry.measurement.seconds.push_back(answer.seconds);
+    entry.measurement.peakMemory = answer.memory;
     entry.used += answer.seconds;
   }
 }
 
-void finish(Entry& entry)
+void finish(Entry& entry, bool figures)
 {
+  ::getloadavg(&entry.measurement.load, 1);
   Worker::Answer answer;
-  if (entry.running() && entry.ask(Worker::Command::Figures, answer))
+  if (figures && entry.running() && entry.ask(Worker::Command::Figures, answer))
   {
-    entry.measurement.peakMemory = answer.memory;
     entry.measurement.figures = answer.figures;
   }
   entry.worker.reset();
@@ -182,8 +184,8 @@ std::vector<Measurement> measure(const std::vector<Method>& wanted, const Situat
   std::vector<Measurement> result;
   for (Entry& entry : entries)
   {
-    tell("errors: " + entry.measurement.method.label());
-    finish(entry);
+    tell("figures: " + entry.measurement.method.label());
+    finish(entry, effort.figures);
     result.push_back(entry.measurement);
   }
   return result;

@@ -88,6 +88,7 @@ struct Measurement
   std::vector<double> seconds; ///< the runs after it
   double inputMemory = 0;      ///< resident once the input is made
   double peakMemory = 0;       ///< most that was resident in the runs
+  double load = 0;             ///< the machine's load average of the last minute when it was done
   Figures figures;
 
   double median() const; ///< of seconds, or the first run's where there is no other; 0 if left out
@@ -99,6 +100,7 @@ struct Effort
 {
   int runs = 7;        ///< after the first
   double seconds = 60; ///< no further run of a method that has used as many; the first counts
+  bool figures = true; ///< whether to work out figures: the truth can cost more than the runs
 };
 
 /// Whether OpenGL windows can be opened.

@@ -126,19 +126,20 @@ std::unique_ptr<Job> onImage(const Situation& situation, int samples)
   return std::make_unique<WindowJob>(situation, mapper, OpacityIs::Blocked);
 }
 
-const Registration rayCast({ "vtkUnstructuredGridVolumeRayCastMapper", "volume", {}, false, true, 0,
-  [](const Situation& s)
-  {
-    return onTetrahedra<vtkUnstructuredGridVolumeRayCastMapper>(s,
-      [&s](vtkUnstructuredGridVolumeRayCastMapper* mapper)
-      {
-        sampleEveryPixel(mapper);
-        mapper->SetNumberOfThreads(s.threads);
-      });
-  } });
+const Registration rayCast(
+  { "vtkUnstructuredGridVolumeRayCastMapper", "volume", {}, false, true, 1000000,
+    [](const Situation& s)
+    {
+      return onTetrahedra<vtkUnstructuredGridVolumeRayCastMapper>(s,
+        [&s](vtkUnstructuredGridVolumeRayCastMapper* mapper)
+        {
+          sampleEveryPixel(mapper);
+          mapper->SetNumberOfThreads(s.threads);
+        });
+    } });
 
 const Registration projectedTetrahedra(
-  { "vtkProjectedTetrahedraMapper", "volume", {}, false, true, 0, [](const Situation& s) {
+  { "vtkProjectedTetrahedraMapper", "volume", {}, false, true, 1000000, [](const Situation& s) {
      return onTetrahedra<vtkProjectedTetrahedraMapper>(s, [](vtkProjectedTetrahedraMapper*) {});
    } });
 

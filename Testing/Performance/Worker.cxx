@@ -69,9 +69,9 @@ public:
         break;
       case Worker::Command::Run:
         answer["seconds"] = secondsOf([this] { this->J->run(); });
+        answer["memory"] = statusBytes("VmHWM:");
         break;
       case Worker::Command::Figures:
-        answer["memory"] = statusBytes("VmHWM:"); // before the truth takes its own
         answer["figures"] = this->J->figures();
         break;
     }

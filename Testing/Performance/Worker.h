@@ -30,7 +30,7 @@ public:
   struct Answer
   {
     double seconds = 0; ///< wall clock of what was asked
-    double memory = 0;  ///< bytes: resident after Prepare, the most resident since then afterwards
+    double memory = 0;  ///< bytes: resident after Prepare, the most resident since then after Run
     performance::Figures figures;
     std::string failure; ///< what went wrong, else empty
   };

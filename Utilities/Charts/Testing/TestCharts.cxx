@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LogChart.h"
+#include "Report.h"
+#include "ReportText.h"
+#include "SvgDrawing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+using namespace nephoscope::charts;
+
+namespace
+{
+std::vector<std::string> names(const std::vector<ChartPoint>& points)
+{
+  std::vector<std::string> all;
+  for (const ChartPoint& p : points)
+  {
+    all.push_back(p.name);
+  }
+  return all;
+}
+
+/// A folder of its own that is gone afterwards.
+class Scratch : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->Folder = std::filesystem::temp_directory_path() /
+      ("nephoscope_charts_" +
+        std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    std::filesystem::remove_all(this->Folder);
+    std::filesystem::create_directories(this->Folder);
+  }
+  void TearDown() override { std::filesystem::remove_all(this->Folder); }
+  std::filesystem::path Folder;
+};
+
+/// Where each <text> stands: x, y, font size, words.
+struct Words
+{
+  double x, y, size;
+  std::string words;
+};
+
+std::vector<Words> textsOf(const std::string& svg)
+{
+  std::vector<Words> all;
+  for (std::size_t at = svg.find("<text"); at != std::string::npos; at = svg.find("<text", at + 1))
+  {
+    Words w{};
+    EXPECT_EQ(std::sscanf(svg.c_str() + at, "<text x=\"%lf\" y=\"%lf\" font-size=\"%lf\"", &w.x,
+                &w.y, &w.size),
+      3);
+    const std::size_t from = svg.find('>', at) + 1;
+    w.words = svg.substr(from, svg.find("</text>", at) - from);
+    all.push_back(w);
+  }
+  return all;
+}
+}
+
+TEST(ParetoFront, KeepsWhatNothingBeatsInBoth)
+{
+  const std::vector<ChartPoint> points = { { 1, 9, "fast", "", false },
+    { 2, 3, "middle", "", true }, { 3, 4, "beaten", "", false }, { 8, 1, "exact", "", false },
+    { 2, 3, "twin", "", false }, { 9, 1, "slower", "", false } };
+  EXPECT_EQ(
+    names(paretoFront(points)), (std::vector<std::string>{ "fast", "middle", "twin", "exact" }));
+  EXPECT_TRUE(paretoFront({}).empty());
+}
+
+TEST(LogChart, NamesDoNotOverlapHoweverCloseThePointsAre)
+{
+  LogChart chart;
+  for (int n = 0; n < 8; ++n)
+  {
+    chart.points.push_back({ 0.02 * (1 + 0.04 * n), 1e-3 * (1 + 0.02 * (n % 3)),
+      "vtkSomethingWithALongName" + std::to_string(n), "setting " + std::to_string(n), n == 0 });
+  }
+  std::vector<Box> boxes;
+  for (const Words& w : textsOf(drawChart(chart)))
+  {
+    if (w.words.find("vtk") == 0 || w.words.find("setting") == 0)
+    {
+      boxes.push_back(
+        { w.x, w.y - w.size * 0.75, w.x + SvgDrawing::widthOf(w.words, w.size, false), w.y });
+    }
+  }
+  ASSERT_EQ(boxes.size(), 16U);
+  for (std::size_t a = 0; a < boxes.size(); ++a)
+  {
+    EXPECT_LT(boxes[a].right, 1000);
+    for (std::size_t b = 0; b < a; ++b)
+    {
+      EXPECT_FALSE(boxes[a].overlaps(boxes[b])) << a << " and " << b;
+    }
+  }
+}
+
+TEST(LogChart, DrawsNoPointThatIsNotPositive)
+{
+  LogChart chart;
+  chart.pareto = true;
+  chart.points = { { 1, 0, "zero", "", false }, { -1, 1, "negative", "", false },
+    { NAN, 1, "nan", "", false }, { 1, 1, "good", "", false } };
+  const std::string svg = drawChart(chart);
+  EXPECT_NE(svg.find("good"), std::string::npos);
+  EXPECT_EQ(svg.find("zero"), std::string::npos);
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_EQ(svg.find("inf"), std::string::npos);
+}
+
+TEST(LogChart, TicksHaveUnits)
+{
+  LogChart chart;
+  chart.points = { { 0.002, 1e-6, "a", "", false }, { 30, 1e-2, "b", "", false } };
+  const std::string svg = drawChart(chart);
+  for (const char* label : { ">1 ms<", ">10 ms<", ">100 ms<", ">1 s<", ">10 s<" })
+  {
+    EXPECT_NE(svg.find(label), std::string::npos) << label;
+  }
+}
+
+TEST(SvgDrawing, EscapesWhatWouldBeMarkup)
+{
+  SvgDrawing drawing(10, 10);
+  drawing.text(1, 2, "a<b & \"c\"", {});
+  EXPECT_NE(drawing.svg().find("a&lt;b &amp; &quot;c&quot;"), std::string::npos);
+}
+
+TEST_F(Scratch, PngHasTheDrawingsSizeTimesTheScale)
+{
+  const std::string path = (this->Folder / "a.png").string();
+  writePng(SvgDrawing(31, 20).svg(), path, 2);
+  std::ifstream file(path, std::ios::binary);
+  unsigned char head[24] = {};
+  file.read(reinterpret_cast<char*>(head), sizeof head);
+  EXPECT_EQ(std::string(head + 1, head + 4), "PNG");
+  EXPECT_EQ(head[18] * 256 + head[19], 62);
+  EXPECT_EQ(head[22] * 256 + head[23], 40);
+}
+
+TEST_F(Scratch, PngErrorsSayWhere)
+{
+  try
+  {
+    writePng(SvgDrawing(31, 20).svg(), (this->Folder / "no" / "a.png").string(), 1);
+    FAIL();
+  }
+  catch (const std::runtime_error& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("no/a.png"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("writable"), std::string::npos);
+  }
+}
+
+TEST_F(Scratch, ReportHasEveryMethodOrSaysWhyNot)
+{
+  ReportOptions options;
+  options.folder = (this->Folder / "chart").string();
+  options.quick = true;
+  writeReport(options);
+  std::ifstream file(options.folder + "/chart.json");
+  const auto json = nlohmann::json::parse(file);
+  ASSERT_EQ(json["studies"].size(), 5U);
+  for (const auto& study : json["studies"])
+  {
+    const std::filesystem::path base =
+      std::filesystem::path(options.folder) / study["name"].get<std::string>();
+    EXPECT_GT(std::filesystem::file_size(base.string() + ".svg"), 2000U);
+    EXPECT_GT(std::filesystem::file_size(base.string() + ".png"), 2000U);
+    for (const auto& m : study["measurements"])
+    {
+      EXPECT_TRUE(m.contains("leftOut") || m["seconds"]["median"] > 0) << m.dump();
+      EXPECT_FALSE(m["ours"] == true && m.contains("leftOut")) << m.dump();
+    }
+  }
+  EXPECT_GT(std::filesystem::file_size(options.folder + "/index.html"), 2000U);
+}
