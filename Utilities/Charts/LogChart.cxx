@@ -15,7 +15,8 @@ namespace
 {
 constexpr double Width = 1000;
 constexpr double Height = 640;
-constexpr Box Plot{ 95, 84, 970, 560 };
+constexpr Box Page{ 95, 84, 970, 560 };
+constexpr double NameColumn = 320; ///< where curves are named, right of the plot
 constexpr double Disc = 6;
 constexpr double NameSize = 14;
 constexpr double DetailSize = 12;
@@ -94,8 +95,9 @@ class Artist
 public:
   explicit Artist(const LogChart& chart)
     : C(chart)
-    , X(this->values(&ChartPoint::x), Plot.left, Plot.right)
-    , Y(this->values(&ChartPoint::y), Plot.bottom, Plot.top)
+    , Plot{ Page.left, Page.top, Page.right - (chart.curves.empty() ? 0 : NameColumn), Page.bottom }
+    , X(this->values(&ChartPoint::x), this->Plot.left, this->Plot.right)
+    , Y(this->values(&ChartPoint::y), this->Plot.bottom, this->Plot.top)
     , D(Width, Height)
   {
   }
@@ -121,7 +123,14 @@ public:
     {
       this->disc(p);
     }
-    this->names();
+    if (this->C.curves.empty())
+    {
+      this->namesBeside();
+    }
+    else
+    {
+      this->namesInColumn();
+    }
     return this->D.svg();
   }
 
@@ -150,13 +159,13 @@ private:
   void frame()
   {
     TextStyle title{ 20, "#111111", Anchor::Start, true, false };
-    this->D.text(Plot.left, 34, this->C.title, title);
+    this->D.text(this->Plot.left, 34, this->C.title, title);
     TextStyle subtitle{ 13, "#555555", Anchor::Start, false, false };
-    this->D.text(Plot.left, 58, this->C.subtitle, subtitle);
+    this->D.text(this->Plot.left, 58, this->C.subtitle, subtitle);
     TextStyle label{ 15, "#222222", Anchor::Middle, false, false };
-    this->D.text((Plot.left + Plot.right) / 2, Height - 22, this->C.xLabel, label);
+    this->D.text((this->Plot.left + this->Plot.right) / 2, Height - 22, this->C.xLabel, label);
     label.upward = true;
-    this->D.text(26, (Plot.top + Plot.bottom) / 2, this->C.yLabel, label);
+    this->D.text(26, (this->Plot.top + this->Plot.bottom) / 2, this->C.yLabel, label);
   }
 
   void axis(const Axis& axis, bool across)
@@ -174,8 +183,8 @@ private:
         }
       }
     }
-    this->D.line(Plot.left, Plot.bottom, across ? Plot.right : Plot.left,
-      across ? Plot.bottom : Plot.top, "#222222", 1.5);
+    this->D.line(this->Plot.left, this->Plot.bottom, across ? this->Plot.right : this->Plot.left,
+      across ? this->Plot.bottom : this->Plot.top, "#222222", 1.5);
   }
 
   void tick(double at, bool across, const std::string& label)
@@ -184,11 +193,11 @@ private:
     const double reach = label.empty() ? 4 : 7;
     if (across)
     {
-      this->D.line(at, Plot.bottom, at, Plot.bottom + reach, "#888888", 1);
+      this->D.line(at, this->Plot.bottom, at, this->Plot.bottom + reach, "#888888", 1);
     }
     else
     {
-      this->D.line(Plot.left - reach, at, Plot.left, at, "#888888", 1);
+      this->D.line(this->Plot.left - reach, at, this->Plot.left, at, "#888888", 1);
     }
     if (label.empty())
     {
@@ -196,13 +205,13 @@ private:
     }
     if (across)
     {
-      this->D.line(at, Plot.top, at, Plot.bottom, GridColor, 1);
-      this->D.text(at, Plot.bottom + 24, label, style);
+      this->D.line(at, this->Plot.top, at, this->Plot.bottom, GridColor, 1);
+      this->D.text(at, this->Plot.bottom + 24, label, style);
     }
     else
     {
-      this->D.line(Plot.left, at, Plot.right, at, GridColor, 1);
-      this->D.text(Plot.left - 12, at + 5, label, style);
+      this->D.line(this->Plot.left, at, this->Plot.right, at, GridColor, 1);
+      this->D.text(this->Plot.left - 12, at + 5, label, style);
     }
   }
 
@@ -277,7 +286,7 @@ private:
       return;
     }
     // A stair: what is on its far side is beaten by a corner.
-    std::vector<std::pair<double, double>> path{ { this->place(best[0]).first, Plot.top } };
+    std::vector<std::pair<double, double>> path{ { this->place(best[0]).first, this->Plot.top } };
     for (const ChartPoint& p : best)
     {
       const auto at = this->place(p);
@@ -285,10 +294,10 @@ private:
       path.push_back({ at.first, before });
       path.push_back(at);
     }
-    path.push_back({ Plot.right, path.back().second });
+    path.push_back({ this->Plot.right, path.back().second });
     this->keepOff(path);
     this->D.polyline(path, FrontColor, 2, "6 4");
-    this->D.text(Plot.right - 4, Plot.top - 8,
+    this->D.text(this->Plot.right - 4, this->Plot.top - 8,
       "- - -  best known: no method is both faster and more exact",
       { 12, FrontColor, Anchor::End, false, false });
   }
@@ -308,7 +317,7 @@ private:
       { this->X.pixel(end), this->Y.pixel(from.y * end / from.x) } };
     this->keepOff(path);
     this->D.polyline(path, FrontColor, 1.5, "3 4");
-    this->D.text(Plot.right - 4, Plot.top - 8, "· · ·  in proportion",
+    this->D.text(this->Plot.right - 4, this->Plot.top - 8, "· · ·  in proportion",
       { 12, FrontColor, Anchor::End, false, false });
   }
 
@@ -323,7 +332,7 @@ private:
 
   bool isFree(const Box& box) const
   {
-    const Box page{ Plot.left + 2, Plot.top, Width - 6, Plot.bottom - 2 };
+    const Box page{ this->Plot.left + 2, this->Plot.top, Width - 6, this->Plot.bottom - 2 };
     return page.holds(box) &&
       std::none_of(this->Taken.begin(), this->Taken.end(),
         [&box](const Box& other) { return other.overlaps(box); });
@@ -349,7 +358,7 @@ private:
     return this->boxAt(p, 12, 0, width, height);
   }
 
-  void names()
+  void namesBeside()
   {
     for (const ChartPoint& p : this->Waiting)
     {
@@ -359,25 +368,64 @@ private:
       const double height = p.detail.empty() ? NameSize + 4 : NameSize + DetailSize + 8;
       const Box box = this->freeBox(p, width, height);
       const auto at = this->place(p);
-      const double x = std::clamp(at.first, box.left, box.right);
-      const double y = std::clamp(at.second, box.top, box.bottom);
-      const double apart = std::hypot(x - at.first, y - at.second);
-      if (apart > 16)
-      {
-        const double part = Disc / apart;
-        this->D.line(
-          at.first + part * (x - at.first), at.second + part * (y - at.second), x, y, "#aaaaaa", 1);
-      }
-      const std::string color = p.ours ? OursColor : PeerColor;
-      this->D.text(box.left + 2, box.top + NameSize, p.name,
-        { NameSize, color, Anchor::Start, p.ours, false });
-      this->D.text(box.left + 2, box.top + NameSize + DetailSize + 3, p.detail,
-        { DetailSize, color, Anchor::Start, false, false });
+      this->leader(
+        at, std::clamp(at.first, box.left, box.right), std::clamp(at.second, box.top, box.bottom));
+      this->name(p, box.left + 2, box.top + NameSize);
       this->Taken.push_back(box);
     }
   }
 
+  /// Right of the plot, each as near to its curve's end as the others let it.
+  void namesInColumn()
+  {
+    constexpr double Gap = NameSize + DetailSize + 10;
+    std::stable_sort(this->Waiting.begin(), this->Waiting.end(),
+      [](const ChartPoint& a, const ChartPoint& b) { return a.y > b.y; });
+    std::vector<double> heights;
+    for (const ChartPoint& p : this->Waiting)
+    {
+      const double wanted = this->place(p).second;
+      heights.push_back(heights.empty() ? wanted : std::max(wanted, heights.back() + Gap));
+    }
+    double lowest = this->Plot.bottom - Gap / 2;
+    for (std::size_t n = heights.size(); n-- > 0; lowest -= Gap)
+    {
+      heights[n] = std::min(heights[n], lowest);
+      lowest = heights[n];
+    }
+    for (std::size_t n = 0; n < heights.size(); ++n)
+    {
+      const ChartPoint& p = this->Waiting[n];
+      this->leader(this->place(p), this->Plot.right + 14, heights[n]);
+      this->name(p, this->Plot.right + 18, heights[n] + (p.detail.empty() ? 5 : -2));
+    }
+  }
+
+  /// A thin line from a point to its name, unless that is beside it.
+  void leader(const std::pair<double, double>& at, double x, double y)
+  {
+    const double apart = std::hypot(x - at.first, y - at.second);
+    if (apart > 16)
+    {
+      const double part = (Disc + 1) / apart;
+      this->D.line(
+        at.first + part * (x - at.first), at.second + part * (y - at.second), x, y, "#aaaaaa", 1);
+    }
+  }
+
+  void name(const ChartPoint& p, double x, double baseline)
+  {
+    const std::string color = p.ours ? OursColor : PeerColor;
+    this->D.text(x, baseline, p.name, { NameSize, color, Anchor::Start, p.ours, false });
+    if (!p.detail.empty())
+    {
+      this->D.text(
+        x, baseline + DetailSize + 3, p.detail, { DetailSize, color, Anchor::Start, false, false });
+    }
+  }
+
   const LogChart& C;
+  Box Plot;
   Axis X;
   Axis Y;
   SvgDrawing D;
