@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Worker.h"
 
+#include "vtkObject.h"
 #include "vtkSMPTools.h"
 
 #include <chrono>
@@ -62,6 +63,8 @@ public:
     switch (static_cast<Worker::Command>(command))
     {
       case Worker::Command::Prepare:
+        vtkObject::
+          GlobalWarningDisplayOff(); // peers have much to say; failures are told by figures
         vtkSMPTools::Initialize(this->S.threads);
         answer["seconds"] = secondsOf([this] { this->J = this->M.prepare(this->S); });
         answer["memory"] = statusBytes("VmRSS:");

@@ -103,15 +103,29 @@ LogChart growth(const Study& study, const std::vector<Measurement>& measured)
   return chart;
 }
 
+/// Writes beside and then renames, so that no file is ever half there.
+void writeWhole(
+  const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write)
+{
+  const std::filesystem::path beside = path.string() + ".part";
+  write(beside);
+  std::filesystem::rename(beside, path);
+}
+
 void writeText(const std::filesystem::path& path, const std::string& text)
 {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file)
-  {
-    throw std::runtime_error("cannot write " + path.string() + "; is there room on the disk?");
-  }
+  writeWhole(path,
+    [&text](const std::filesystem::path& beside)
+    {
+      std::ofstream file(beside, std::ios::binary);
+      file << text;
+      file.close();
+      if (!file)
+      {
+        throw std::runtime_error(
+          "cannot write " + beside.string() + "; is there room on the disk?");
+      }
+    });
 }
 
 std::vector<Measurement> measureStudy(const Study& study, const ReportOptions& options)
@@ -142,7 +156,8 @@ void writeChart(
   const std::string svg = drawChart(chart);
   const std::filesystem::path path = std::filesystem::path(folder) / study.name;
   writeText(path.string() + ".svg", svg);
-  writePng(svg, path.string() + ".png", 1.5);
+  writeWhole(path.string() + ".png",
+    [&svg](const std::filesystem::path& beside) { writePng(svg, beside.string(), 1.5); });
 }
 }
 

@@ -18,6 +18,7 @@ namespace nephoscope::program
 void addInfo(CLI::App& app);
 void addConvert(CLI::App& app);
 void addRender(CLI::App& app);
+void addChart(CLI::App& app);
 
 /// Options that several subcommands share. What is not given on the command line stays as it is.
 void addThreadsOption(CLI::App& command);

@@ -67,6 +67,7 @@ int program(int argc, char** argv)
   addInfo(app);
   addConvert(app);
   addRender(app);
+  addChart(app);
   const int code = run(app, argc, argv);
   std::cout.flush();
   if (!std::cout)
