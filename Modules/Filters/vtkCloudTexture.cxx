@@ -6,6 +6,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -15,6 +16,63 @@
 #include "vtkSMPTools.h"
 
 vtkStandardNewMacro(vtkCloudTexture);
+
+namespace
+{
+/// Where the texture is looked up for each point: at one place, or at two that are cross-faded.
+class Places
+{
+public:
+  Places(vtkDataSet* input, double metersPerUnit)
+    : Input(input)
+    , First(input->GetPointData()->GetArray(nephoscope::arrays::TextureCoordinates))
+    , Scale(this->First ? 1 : metersPerUnit)
+  {
+    vtkDataArray* const weights =
+      input->GetFieldData()->GetArray(nephoscope::arrays::TextureWeights);
+    if (this->First && weights && weights->GetNumberOfValues() == 2)
+    {
+      this->Second = input->GetPointData()->GetArray(nephoscope::arrays::OtherTextureCoordinates);
+      this->Weight = weights->GetVariantValue(0).ToDouble();
+    }
+  }
+
+  double value(const nephoscope::CloudTexture& texture, double footprint, vtkIdType id) const
+  {
+    double x[3];
+    this->First ? this->First->GetTuple(id, x) : this->Input->GetPoint(id, x);
+    const double meters[3] = { this->Scale * x[0], this->Scale * x[1], this->Scale * x[2] };
+    if (!this->Second)
+    {
+      return texture.value(meters, footprint);
+    }
+    double y[3];
+    this->Second->GetTuple(id, y);
+    return texture.blended(meters, y, this->Weight, footprint);
+  }
+
+private:
+  vtkDataSet* Input;
+  vtkDataArray* First;
+  double Scale;
+  vtkDataArray* Second = nullptr;
+  double Weight = 1;
+};
+
+void evaluate(const nephoscope::CloudTexture& texture, const Places& places, double footprint,
+  vtkFloatArray* opacity)
+{
+  float* const values = opacity->GetPointer(0);
+  vtkSMPTools::For(0, opacity->GetNumberOfTuples(),
+    [values, &texture, &places, footprint](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        values[id] = static_cast<float>(texture.opacityOf(places.value(texture, footprint, id)));
+      }
+    });
+}
+}
 
 vtkCloudTexture::vtkCloudTexture()
 {
@@ -41,14 +99,17 @@ int vtkCloudTexture::RequestData(
   {
     return 1;
   }
-  vtkDataArray* coordinates =
-    input->GetPointData()->GetArray(nephoscope::arrays::TextureCoordinates);
-  if (coordinates && coordinates->GetNumberOfComponents() != 3)
+  vtkPointData* const data = input->GetPointData();
+  for (const char* name :
+    { nephoscope::arrays::TextureCoordinates, nephoscope::arrays::OtherTextureCoordinates })
   {
-    vtkErrorMacro("Point array '" << nephoscope::arrays::TextureCoordinates << "' has "
-                                  << coordinates->GetNumberOfComponents()
-                                  << " components; give positions, 3, in metres.");
-    return 0;
+    vtkDataArray* const array = data->GetArray(name);
+    if (array && array->GetNumberOfComponents() != 3)
+    {
+      vtkErrorMacro("Point array '" << name << "' has " << array->GetNumberOfComponents()
+                                    << " components; give positions, 3, in metres.");
+      return 0;
+    }
   }
   output->ShallowCopy(input);
 
@@ -62,26 +123,12 @@ int vtkCloudTexture::RequestData(
   parameters.range = this->Range;
   parameters.turned = this->Turned;
   parameters.seed = this->Seed;
-  const nephoscope::CloudTexture texture(parameters);
 
-  const vtkIdType points = input->GetNumberOfPoints();
+  const Places places(input, this->MetersPerUnit);
   vtkNew<vtkFloatArray> opacity;
   opacity->SetName(nephoscope::arrays::Opacity);
-  opacity->SetNumberOfTuples(points);
-  float* values = opacity->GetPointer(0);
-  const double scale = coordinates ? 1 : this->MetersPerUnit;
-  const double footprint = this->SamplingDistance;
-  vtkSMPTools::For(0, points,
-    [input, coordinates, values, &texture, scale, footprint](vtkIdType begin, vtkIdType end)
-    {
-      double x[3];
-      for (vtkIdType id = begin; id < end; ++id)
-      {
-        coordinates ? coordinates->GetTuple(id, x) : input->GetPoint(id, x);
-        const double meters[3] = { scale * x[0], scale * x[1], scale * x[2] };
-        values[id] = static_cast<float>(texture.opacity(meters, footprint));
-      }
-    });
+  opacity->SetNumberOfTuples(input->GetNumberOfPoints());
+  evaluate(nephoscope::CloudTexture(parameters), places, this->SamplingDistance, opacity);
   output->GetPointData()->AddArray(opacity);
   return 1;
 }

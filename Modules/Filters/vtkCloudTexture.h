@@ -9,14 +9,15 @@
  * nephoscope::CloudTexture with the same parameters; this filter's points must be dense to show fine terms.
  *
  * Input    port 0: vtkDataSet. Coordinates are the point array TextureCoordinates (3 components, m), as advected texture has
- *          it, or where there is none the points themselves, times MetersPerUnit.
+ *          it, or where there is none the points themselves, times MetersPerUnit. With OtherTextureCoordinates (3, m) and the
+ *          field data TextureWeights (2) two textures are cross-faded, as vtkCloudTextureAdvection means it.
  * Output   a data set of the same kind, all arrays passed, and the point array Opacity (1 float, 0 to 1).
  * Parameters: see the setters; nephoscope::CloudTexture says what they look like.
  * Method   Gardner 1985 eq. 3 to 7, 9; Max 1994 eq. 3. See nephoscope::CloudTexture.
- * Errors   TextureCoordinates without 3 components: vtkErrorMacro, empty output.
+ * Errors   TextureCoordinates without 3 components: vtkErrorMacro, empty output; the same for OtherTextureCoordinates.
  * Cost     0.1 us a point, all threads; the same bits for any number of them.
  * Limits   Coordinates that are not finite have the texture's mean.
- * @sa nephoscope::CloudTexture, vtkCloudContour, TestCloudTextureFilter.cxx
+ * @sa nephoscope::CloudTexture, vtkCloudTextureAdvection, vtkCloudContour, TestCloudTextureFilter.cxx
  */
 #ifndef vtkCloudTexture_h
 #define vtkCloudTexture_h

@@ -10,9 +10,8 @@
  *  3. asks for the requested time itself, whose other arrays pass through, and adds the coordinates.
  * The coordinates would be sheared without bound; so a texture lives two periods, its weight rising over the first and falling over
  * the second, and a new one starts every period: two are there at a time, displaced far from each other, so that their
- * patterns are independent. Whoever evaluates them blends with weights w, 1 - w about the mean m and restores the contrast:
- *
- *     T = m + (w (T_1 - m) + (1 - w) (T_2 - m)) / sqrt(w^2 + (1 - w)^2)
+ * patterns are independent. Whoever evaluates them blends with weights w, 1 - w about the mean and restores the contrast
+ * (nephoscope::CloudTexture::blended), as vtkCloudTexture and vtkCloudSurface do.
  *
  * Input    vtkStructuredGrid with Wind (m/s, along the scene's axes), Height (m) and the field data Geometry, PlanetRadius, HeightScale
  *          as vtkCloudNetCDFReader gives them; time keys in seconds.

@@ -101,7 +101,7 @@ void CloudTexture::setFrames()
   }
 }
 
-double CloudTexture::unscaled(const double x[3], const Terms& weights) const
+CloudTexture::Sums CloudTexture::sums(const double x[3], const Terms& weights) const
 {
   // Each loop over the terms is one that the compiler turns into vector instructions.
   Terms u;
@@ -129,7 +129,13 @@ double CloudTexture::unscaled(const double x[3], const Terms& weights) const
     sumX += first[i];
     sumY += second[i];
   }
-  return sumX * sumY;
+  return { sumX, sumY };
+}
+
+double CloudTexture::unscaled(const double x[3], const Terms& weights) const
+{
+  const Sums s = this->sums(x, weights);
+  return s.x * s.y;
 }
 
 double CloudTexture::searchMaximum() const
@@ -171,26 +177,51 @@ double CloudTexture::searchMaximum() const
   return maximum;
 }
 
-double CloudTexture::value(const double x[3], double footprint) const
+bool CloudTexture::isNear(const double x[3]) const
 {
   // Written so that NaN fails.
-  const bool near =
-    std::abs(x[0]) <= this->Reach && std::abs(x[1]) <= this->Reach && std::abs(x[2]) <= this->Reach;
-  if (!near)
-  {
-    return this->K * this->Constant * this->Constant;
-  }
-  if (!(footprint > 0))
-  {
-    return this->K * this->unscaled(x, this->Amplitudes);
-  }
+  return std::abs(x[0]) <= this->Reach && std::abs(x[1]) <= this->Reach &&
+    std::abs(x[2]) <= this->Reach;
+}
+
+CloudTexture::Terms CloudTexture::weightsFor(double footprint) const
+{
   Terms weights = this->Amplitudes;
-  for (int i = 0; i < this->Parameters.octaves; ++i)
+  for (int i = 0; footprint > 0 && i < this->Parameters.octaves; ++i)
   {
     const double samplesPerWave = 2 * Pi / (this->Frequencies[i] * footprint);
     weights[i] *= smoothStep(samplesPerWave / 4 - 1);
   }
-  return this->K * this->unscaled(x, weights);
+  return weights;
+}
+
+double CloudTexture::value(const double x[3], double footprint) const
+{
+  return this->isNear(x) ? this->K * this->unscaled(x, this->weightsFor(footprint))
+                         : this->K * this->Constant * this->Constant;
+}
+
+double CloudTexture::blended(
+  const double first[3], const double second[3], double weight, double footprint) const
+{
+  // Also for a weight that is NaN, and where one texture has no place.
+  if (!(weight > 0) || !this->isNear(first))
+  {
+    return this->value(second, footprint);
+  }
+  if (weight >= 1 || !this->isNear(second))
+  {
+    return this->value(first, footprint);
+  }
+  const Terms weights = this->weightsFor(footprint);
+  const Sums a = this->sums(first, weights);
+  const Sums b = this->sums(second, weights);
+  const double rest = 1 - weight;
+  const double contrast = 1 / std::sqrt(weight * weight + rest * rest);
+  const double mean = this->Constant;
+  const double x = mean + contrast * (weight * (a.x - mean) + rest * (b.x - mean));
+  const double y = mean + contrast * (weight * (a.y - mean) + rest * (b.y - mean));
+  return std::min(this->K * x * y, 1.0);
 }
 
 double CloudTexture::opacity(const double x[3], double footprint, double rim) const

@@ -28,6 +28,14 @@
  * between. Without its terms T is k (n T0)^2, which is
  * within 0.003 of its mean.
  *
+ * Cross-fade of two textures (`blended`): each of the two sums of eq. 3 is blended, not their product,
+ *
+ *     S = n T0 + (w (S_1 - n T0) + (1 - w) (S_2 - n T0)) / sqrt(w^2 + (1 - w)^2)              w = 0 .. 1
+ *
+ * The weights sum to one, the root of the sum of their squares restores the variance. A blended sum of sines is distributed
+ * like one of them, so T is like either texture half-way too; blending T itself would change its skewness, and with it the
+ * mean opacity by 5 %, in scattered puffs by 14 %.
+ *
  * What the parameters look like: `octaves` adds finer wisps (4 soft, 7 crisp); `offset` fills: 0.1 gives scattered
  * puffs, 0.5 a nearly closed sheet; `threshold` clears what lies below it; `range` is the softness of the edges, small
  * for cumulus, large for cirrus; `rimThreshold` above `threshold` frays the outline.
@@ -72,6 +80,13 @@ public:
   double value(const double x[3], double footprint = 0) const;
 
   /**
+   * @brief T where the texture at one position is cross-faded with that at another, far away in texture space.
+   * @param weight of the first, 0 to 1; at 1 and 0 the result is value() of the first and of the second, to the bit
+   */
+  double blended(
+    const double first[3], const double second[3], double weight, double footprint = 0) const;
+
+  /**
    * @brief Opacity at a position, 0 to 1 (eq. 9 and 11).
    * @param rim 1 in the middle of a body, 0 at its rim: the g of eq. 11, which moves the threshold from T1 to T2
    */
@@ -86,7 +101,17 @@ private:
   static constexpr int N = CloudTextureParameters::MaximumOctaves;
   using Terms = std::array<double, N>;
 
+  /// The two sums of eq. 3.
+  struct Sums
+  {
+    double x;
+    double y;
+  };
+
   void setFrames();
+  bool isNear(const double x[3]) const;
+  Terms weightsFor(double footprint) const;
+  Sums sums(const double x[3], const Terms& weights) const;
   double unscaled(const double x[3], const Terms& weights) const;
   double searchMaximum() const;
 

@@ -4,6 +4,7 @@
 #include "CloudArrays.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
@@ -81,6 +82,11 @@ void TriangleMesh::assign(vtkPolyData* data)
   copyTuples(attributes->GetNormals(), number, 3, this->normals, storeNormal);
   copyTuples(
     attributes->GetArray(arrays::TextureCoordinates), number, 3, this->texturePoints, storeVector);
+  vtkDataArray* const weights = data->GetFieldData()->GetArray(arrays::TextureWeights);
+  const bool fades = !this->texturePoints.empty() && weights && weights->GetNumberOfValues() == 2;
+  this->textureWeight = fades ? weights->GetVariantValue(0).ToDouble() : 1;
+  copyTuples(fades ? attributes->GetArray(arrays::OtherTextureCoordinates) : nullptr, number, 3,
+    this->otherTexturePoints, storeVector);
   copyTuples(attributes->GetArray(arrays::Opacity), number, 1, this->opacities, storeNumber);
 }
 }

@@ -25,6 +25,8 @@ struct TriangleMesh
   std::vector<Corners> triangles;            ///< polygons are fans
   std::vector<std::array<float, 3>> normals; ///< as given, any length
   std::vector<Vector3> texturePoints;        ///< TextureCoordinates, m
+  std::vector<Vector3> otherTexturePoints;   ///< OtherTextureCoordinates, m; only with weights
+  double textureWeight = 1;                  ///< of the first of two textures, from TextureWeights
   std::vector<float> opacities;              ///< Opacity, 0..1
 
   /// Take all from the data. Polygons with a corner that is no point are left out.

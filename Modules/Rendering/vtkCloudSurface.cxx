@@ -80,7 +80,9 @@ private:
     Vector3 TowardEye; // unit
   };
   Vector3 NormalAt(const Hit& hit) const;
-  double TexturePerScene(const nephoscope::TriangleMesh::Corners& corners) const;
+  double TexturePerScene(const nephoscope::TriangleMesh::Corners& corners,
+    const std::vector<Vector3>& coordinates) const;
+  double TextureAt(const Hit& hit, double footprint) const;
   double OpacityAt(const Hit& hit, double pixel, double& textureValue) const;
 };
 
@@ -103,7 +105,7 @@ Vector3 vtkCloudSurface::Drawing::NormalAt(const Hit& hit) const
 
 /// Metres of texture for a scene unit: of the edge that is stretched most.
 double vtkCloudSurface::Drawing::TexturePerScene(
-  const nephoscope::TriangleMesh::Corners& corners) const
+  const nephoscope::TriangleMesh::Corners& corners, const std::vector<Vector3>& coordinates) const
 {
   double most = 0;
   for (int i = 0; i < 3; ++i)
@@ -111,10 +113,32 @@ double vtkCloudSurface::Drawing::TexturePerScene(
     const auto from = corners[i];
     const auto to = corners[(i + 1) % 3];
     const double scene = length(this->Mesh.points[to] - this->Mesh.points[from]);
-    const double texture = length(this->Mesh.texturePoints[to] - this->Mesh.texturePoints[from]);
+    const double texture = length(coordinates[to] - coordinates[from]);
     most = scene > 0 ? std::max(most, texture / scene) : most;
   }
   return most;
+}
+
+/// The texture at a hit: of its place, of its coordinates, or of two pairs of them that are cross-faded.
+double vtkCloudSurface::Drawing::TextureAt(const Hit& hit, double footprint) const
+{
+  const auto& [a, b, c] = hit.Corners;
+  const auto at = [&hit, a = a, b = b, c = c](const std::vector<Vector3>& of)
+  { return hit.At.vector(of[a], of[b], of[c]); };
+  const nephoscope::TriangleMesh& mesh = this->Mesh;
+  if (mesh.texturePoints.empty())
+  {
+    return this->Texture.value(at(mesh.points).v, footprint);
+  }
+  const double first = this->TexturePerScene(hit.Corners, mesh.texturePoints);
+  if (mesh.otherTexturePoints.empty())
+  {
+    return this->Texture.value(at(mesh.texturePoints).v, footprint * first);
+  }
+  const double second = this->TexturePerScene(hit.Corners, mesh.otherTexturePoints);
+  const double weight = mesh.textureWeight;
+  return this->Texture.blended(at(mesh.texturePoints).v, at(mesh.otherTexturePoints).v, weight,
+    footprint * (weight * first + (1 - weight) * second));
 }
 
 /// The opacity of a hit, and the texture's value if there is a texture. `pixel` is its width there, scene units.
@@ -130,18 +154,7 @@ double vtkCloudSurface::Drawing::OpacityAt(const Hit& hit, double pixel, double&
   else if (this->Mode == OpacityFromTexture)
   {
     const double facing = std::abs(dot(hit.Normal, hit.TowardEye));
-    double footprint = pixel / std::max(facing, 1 / LargestSlant);
-    Vector3 at;
-    if (mesh.texturePoints.empty())
-    {
-      at = hit.At.vector(mesh.points[a], mesh.points[b], mesh.points[c]);
-    }
-    else
-    {
-      at = hit.At.vector(mesh.texturePoints[a], mesh.texturePoints[b], mesh.texturePoints[c]);
-      footprint *= this->TexturePerScene(hit.Corners);
-    }
-    textureValue = this->Texture.value(at.v, footprint);
+    textureValue = this->TextureAt(hit, pixel / std::max(facing, 1 / LargestSlant));
     opacity = this->Texture.opacityOf(textureValue, facing * facing);
   }
   opacity *= this->MaximumOpacity;

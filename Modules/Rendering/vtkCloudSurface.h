@@ -13,6 +13,8 @@
  *          arrays, each optional:
  *            normals             3, out of the cloud, any length; without them the triangles are flat
  *            TextureCoordinates  3, m, where the texture is looked up; without it the position itself
+ *            OtherTextureCoordinates  3, m: with the field data TextureWeights (2), a second texture that the first is
+ *                                cross-faded with (nephoscope::CloudTexture::blended)
  *            Opacity             1, 0..1, for OpacityFromArray
  * Parameters: see the setters.
  * Method   Max 1994 eq. 1 for each hit: optical depth -log(1 - opacity), radiance opacity * colour, so that

@@ -2,9 +2,13 @@
 #include "CloudArrays.h"
 #include "CloudTexture.h"
 #include "ErrorText.h"
+#include "vtkCloudContour.h"
 #include "vtkCloudTexture.h"
 
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -70,6 +74,69 @@ TEST(CloudTextureFilter, TextureCoordinatesTakeThePointsPlace)
     double x[3];
     coordinates->GetTuple(id, x);
     EXPECT_EQ(opacity->GetComponent(id, 0), float(texture.opacity(x)));
+  }
+}
+
+namespace
+{
+/// The image with cloudiness, and coordinates linear in the place, of two textures with weights.
+vtkNew<vtkImageData> faded(double weight)
+{
+  vtkNew<vtkImageData> data = image();
+  vtkNew<vtkFloatArray> cloud;
+  cloud->SetName(nephoscope::arrays::CloudFraction);
+  vtkNew<vtkFloatArray> coordinates[2];
+  coordinates[0]->SetName(nephoscope::arrays::TextureCoordinates);
+  coordinates[1]->SetName(nephoscope::arrays::OtherTextureCoordinates);
+  for (int n = 0; n < 2; ++n)
+  {
+    coordinates[n]->SetNumberOfComponents(3);
+    for (vtkIdType id = 0; id < data->GetNumberOfPoints(); ++id)
+    {
+      const double* const x = data->GetPoint(id);
+      coordinates[n]->InsertNextTuple3(7e4 * x[0] + 1e7 * n, 2e5 * x[1] - 3e4 * x[0], -3e4 * x[2]);
+      if (n == 0)
+      {
+        cloud->InsertNextValue(static_cast<float>(x[2] / 12));
+      }
+    }
+    data->GetPointData()->AddArray(coordinates[n]);
+  }
+  data->GetPointData()->SetScalars(cloud);
+  vtkNew<vtkDoubleArray> weights;
+  weights->SetName(nephoscope::arrays::TextureWeights);
+  weights->InsertNextValue(weight);
+  weights->InsertNextValue(1 - weight);
+  data->GetFieldData()->AddArray(weights);
+  return data;
+}
+}
+
+TEST(CloudTextureFilter, CrossFadesTwoTexturesAlsoOnAContour)
+{
+  const nephoscope::CloudTexture texture;
+  for (const double weight : { 0.0, 0.4, 1.0 })
+  {
+    vtkNew<vtkImageData> data = faded(weight);
+    vtkNew<vtkCloudContour> contour;
+    contour->SetInputData(data);
+    contour->SetValue(0, 0.4);
+    vtkNew<vtkCloudTexture> filter;
+    filter->SetInputConnection(contour->GetOutputPort());
+    filter->Update();
+    vtkDataSet* const output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    vtkDataArray* const opacity = output->GetPointData()->GetArray(nephoscope::arrays::Opacity);
+    ASSERT_NE(opacity, nullptr);
+    ASSERT_GT(output->GetNumberOfPoints(), 50);
+    for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
+    {
+      const double* const x = output->GetPoint(id);
+      const double first[3] = { 7e4 * x[0], 2e5 * x[1] - 3e4 * x[0], -3e4 * x[2] };
+      const double second[3] = { first[0] + 1e7, first[1], first[2] };
+      // Coordinates are floats: a metre of 1e7, to which the texture is not sensitive.
+      EXPECT_NEAR(opacity->GetComponent(id, 0),
+        texture.opacityOf(texture.blended(first, second, weight)), 1e-3);
+    }
   }
 }
 

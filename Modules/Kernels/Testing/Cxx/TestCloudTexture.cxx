@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
+#include <vector>
 
 using nephoscope::CloudTexture;
 using nephoscope::CloudTextureParameters;
@@ -284,4 +286,68 @@ TEST(CloudTexture, SeedsGiveDifferentPatterns)
   const double x[3] = { 1e6, 2e6, 3e6 };
   EXPECT_NE(one.value(x), two.value(x));
   EXPECT_EQ(one.value(x), CloudTexture().value(x));
+}
+
+TEST(CloudTexture, BlendAtItsEndsIsOneTexture)
+{
+  const CloudTexture texture;
+  Places places(texture.parameters().wavelength);
+  const double nowhere[3] = { std::nan(""), 0, 0 };
+  for (int n = 0; n < 200; ++n)
+  {
+    const std::array<double, 3> first = { places.next()[0], places.next()[1], places.next()[2] };
+    const double* const second = places.next();
+    for (const double footprint : { 0.0, 3e4 })
+    {
+      EXPECT_EQ(texture.blended(first.data(), second, 1, footprint),
+        texture.value(first.data(), footprint));
+      EXPECT_EQ(
+        texture.blended(first.data(), second, 0, footprint), texture.value(second, footprint));
+      EXPECT_NEAR(texture.blended(first.data(), second, 0.3, footprint),
+        texture.blended(second, first.data(), 0.7, footprint), 1e-14);
+      EXPECT_EQ(texture.blended(first.data(), nowhere, 0.3, footprint),
+        texture.value(first.data(), footprint));
+    }
+  }
+}
+
+TEST(CloudTexture, CrossFadeKeepsMeanOpacityAndContrast)
+{
+  // Of 100000 places, so that the mean opacity is known to about 0.3 %; the last is the most skewed: scattered puffs.
+  for (const double offset : { 0.5, 0.22, 0.1 })
+  {
+    CloudTextureParameters p;
+    p.offset = offset;
+    const CloudTexture texture(p);
+    std::vector<std::array<double, 6>> pairs(100000);
+    Places places(p.wavelength);
+    for (auto& pair : pairs)
+    {
+      std::copy_n(places.next(), 3, pair.begin());
+      std::transform(pair.begin(), pair.begin() + 3, pair.begin() + 3,
+        [&p](double x) { return x + 53 * p.wavelength; });
+    }
+    const auto measured = [&](double weight)
+    {
+      double sum = 0;
+      double squares = 0;
+      double opacity = 0;
+      for (const auto& pair : pairs)
+      {
+        const double t = texture.blended(pair.data(), pair.data() + 3, weight);
+        sum += t;
+        squares += t * t;
+        opacity += texture.opacityOf(t);
+      }
+      const auto n = static_cast<double>(pairs.size());
+      return std::array<double, 2>{ opacity / n, std::sqrt(squares / n - sum * sum / n / n) };
+    };
+    const auto [opacity, contrast] = measured(1);
+    for (const double weight : { 0.9, 0.75, 0.5, 0.25, 0.0 })
+    {
+      const auto now = measured(weight);
+      EXPECT_NEAR(now[0], opacity, 0.02 * opacity) << offset << ' ' << weight;
+      EXPECT_NEAR(now[1], contrast, 0.04 * contrast) << offset << ' ' << weight;
+    }
+  }
 }

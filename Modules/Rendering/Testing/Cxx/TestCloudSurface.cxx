@@ -5,6 +5,8 @@
 #include "vtkCloudCellVolume.h"
 #include "vtkCloudSurface.h"
 #include "vtkCloudUniformMedium.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -434,6 +436,55 @@ TEST_F(CloudSurface, TextureFollowsItsCoordinatesAndTheirScale)
     for (int x = 0; x < Width; ++x)
     {
       ASSERT_NEAR(this->Radiance(x, y), before->GetComponent(y * Width + x, 0), 1e-4);
+    }
+  }
+}
+
+TEST_F(CloudSurface, TwoTexturesAreCrossFadedForEachHit)
+{
+  const nephoscope::Vector3 away{ 30, -50, 70 };
+  vtkSmartPointer<vtkPolyData> mapped = wall(4, 0.9);
+  vtkNew<vtkFloatArray> coordinates[2];
+  coordinates[0]->SetName(nephoscope::arrays::TextureCoordinates);
+  coordinates[1]->SetName(nephoscope::arrays::OtherTextureCoordinates);
+  for (int n = 0; n < 2; ++n)
+  {
+    coordinates[n]->SetNumberOfComponents(3);
+    for (vtkIdType i = 0; i < mapped->GetNumberOfPoints(); ++i)
+    {
+      const double* const p = mapped->GetPoint(i);
+      coordinates[n]->InsertNextTuple3(p[0] + n * away[0], p[1] + n * away[1], p[2] + n * away[2]);
+    }
+    mapped->GetPointData()->AddArray(coordinates[n]);
+  }
+  this->Surface->SetInputData(mapped);
+  this->Surface->SetOpacityModeToTexture();
+  this->Surface->SetTextureWavelength(0.5);
+  this->Surface->SetTextureRimThreshold(this->Surface->GetTextureThreshold());
+  nephoscope::CloudTextureParameters parameters;
+  parameters.wavelength = 0.5;
+  const nephoscope::CloudTexture texture(parameters);
+  const nephoscope::Camera camera = this->KernelCamera();
+  for (const double weight : { 0.0, 0.3, 1.0 })
+  {
+    vtkNew<vtkDoubleArray> weights;
+    weights->SetName(nephoscope::arrays::TextureWeights);
+    weights->InsertNextValue(weight);
+    weights->InsertNextValue(1 - weight);
+    mapped->GetFieldData()->AddArray(weights);
+    mapped->Modified();
+    this->Draw({ this->Surface });
+    for (int y = 4; y < 40; ++y)
+    {
+      for (int x = 12; x < 49; ++x)
+      {
+        const nephoscope::Ray ray = camera.ray(x + 0.5, y + 0.5);
+        const double t = 4 / ray.direction[1];
+        const nephoscope::Vector3 at = ray.origin + t * ray.direction;
+        const double value =
+          texture.blended(at.v, (at + away).v, weight, camera.footprint(t) / ray.direction[1]);
+        ASSERT_NEAR(1 - this->Transmittance(x, y), std::min(texture.opacityOf(value), 1.0), 1e-3);
+      }
     }
   }
 }
