@@ -24,6 +24,7 @@ struct Picture
 {
   std::array<int, 2> size{ 1024, 768 };
   double exposure = 0;
+  int samples = 2;
 };
 
 struct Data
@@ -65,7 +66,7 @@ struct Backdrop
 struct SurfaceBody
 {
   double value = 0.15;
-  double smoothing = 1;
+  double smoothing = 0.7;
   double opacity = 1;
   Triple color{ 1, 1, 1 };
 };
@@ -75,10 +76,10 @@ struct TextureBody : SurfaceBody
 {
   std::optional<double> wavelength;
   int octaves = 7;
-  double offset = 0.5;
+  double offset = 0.6;
   double threshold = 0.1;
   std::optional<double> rimThreshold;
-  double range = 0.25;
+  double range = 0.35;
   int seed = 1;
 };
 

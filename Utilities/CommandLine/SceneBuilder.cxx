@@ -181,6 +181,7 @@ void Builder::lay(bool addGround)
   this->TowardSun = towardSunOf(this->Parts.light, this->Lie, camera);
   this->Built.scape->SetCamera(camera);
   this->Built.scape->SetSize(this->Parts.picture.size.data());
+  this->Built.scape->SetSamples(this->Parts.picture.samples);
   this->Built.scape->SetBackdrop(backdropOf(this->Parts.backdrop, this->Lie));
   if (addGround && this->Lie.isGlobe())
   {

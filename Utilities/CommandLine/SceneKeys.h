@@ -32,6 +32,9 @@ void visitKeys(Picture& picture, Visitor&& visit)
   visit(Key{ "size", "pixels", "width and height", "[1024, 768]", 1, 32768 }, picture.size);
   visit(
     Key{ "exposure", "stops", "each stop doubles the brightness", "0", -30, 30 }, picture.exposure);
+  visit(Key{ "samples", "1", "rays across and up each pixel, averaged; 1 leaves outlines jagged",
+          "2", 1, 8 },
+    picture.samples);
 }
 
 template <class Visitor>
@@ -99,7 +102,7 @@ void visitKeys(SurfaceBody& body, Visitor&& visit)
 {
   visit(Key{ "value", "1", "cloud fraction of the surface", "0.15", 0, 1 }, body.value);
   visit(Key{ "smoothing", "grid steps",
-          "standard deviation of the filter before contouring; 0 for none", "1", 0, 100 },
+          "standard deviation of the filter before contouring; 0 for none", "0.7", 0, 100 },
     body.smoothing);
   visit(Key{ "opacity", "1", "largest opacity", "1", 0, 1 }, body.opacity);
   visit(Key{ "color", "linear RGB", "reflectance", "[1, 1, 1]", 0, 1 }, body.color);
@@ -113,14 +116,14 @@ void visitKeys(TextureBody& body, Visitor&& visit)
     body.wavelength);
   visit(Key{ "octaves", "1", "number of waves, each half as long as the last", "7", 1, 8 },
     body.octaves);
-  visit(Key{ "offset", "1", "T0: large fills the gaps", "0.5", 0, 10 }, body.offset);
+  visit(Key{ "offset", "1", "T0: large fills the gaps", "0.6", 0, 10 }, body.offset);
   visit(Key{ "threshold", "1", "T1: the texture below it is clear", "0.1", -1, 1 }, body.threshold);
   visit(
     Key{ "rimThreshold", "1", "T2: takes the threshold's place towards the outline, and frays it",
       "0.3; on a map the threshold", -1, 1 },
     body.rimThreshold);
   visit(
-    Key{ "range", "1", "D: from clear to opaque; large is soft", "0.25", 1e-6, 10 }, body.range);
+    Key{ "range", "1", "D: from clear to opaque; large is soft", "0.35", 1e-6, 10 }, body.range);
   visit(
     Key{ "seed", "", "makes textures with equal parameters different", "1", 0, 1e9 }, body.seed);
 }

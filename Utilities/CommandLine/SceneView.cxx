@@ -241,7 +241,7 @@ double exaggerationOf(const Extent& extent)
 {
   if (extent.isGlobe() && extent.global)
   {
-    return 30;
+    return 20;
   }
   const double width = extent.isGlobe()
     ? extent.planetRadius
@@ -296,7 +296,7 @@ Vector3 towardSunOf(const Light& light, const Extent& extent, vtkCamera* camera)
   const Frame frame = frameOf(eye - target, up);
   if (extent.isGlobe())
   {
-    return normalized(-0.75 * frame.forward + -0.5 * frame.right + 0.45 * frame.up);
+    return normalized(-0.45 * frame.forward + -0.7 * frame.right + 0.55 * frame.up);
   }
   // 35 degrees high, from the left and a little behind the eye.
   const Vector3 level = normalized(Vector3{

@@ -146,7 +146,7 @@ TEST(Extent, TellsAGlobeFromAPart)
 
 TEST(Exaggeration, MakesTheTroposphereAQuarterOfTheWidth)
 {
-  EXPECT_DOUBLE_EQ(exaggerationOf(globeExtent(1)), 30);
+  EXPECT_DOUBLE_EQ(exaggerationOf(globeExtent(1)), 20);
   EXPECT_DOUBLE_EQ(exaggerationOf(boxExtent(1)), 7.5); // 480 km / (4 * 16 km)
   const double x[2] = { 0, 6e3 };
   EXPECT_DOUBLE_EQ(exaggerationOf(extentOf(gridOf("Local", x, x, 1))), 1) << "never flattened";
