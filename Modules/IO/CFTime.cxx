@@ -186,6 +186,15 @@ TimeAxis::TimeAxis(const std::string& units, const std::string& calendar)
   this->Reference.second = hour * 3600.0 + minute * 60.0 + second;
 }
 
+double TimeAxis::secondsTo(const TimeAxis& other) const
+{
+  const DateTime& from = this->Reference;
+  const DateTime& to = other.Reference;
+  const long long days = dayNumber(this->Kind, to.year, to.month, to.day) -
+    dayNumber(this->Kind, from.year, from.month, from.day);
+  return static_cast<double>(days) * 86400 + to.second - from.second;
+}
+
 std::string TimeAxis::label(double seconds) const
 {
   const double total = std::round(seconds + this->Reference.second);

@@ -45,8 +45,10 @@ public:
   TimeAxis(const std::string& units, const std::string& calendar);
 
   double seconds(double value) const { return value * this->Scale; } ///< since the reference
-  std::string label(double seconds) const;                           ///< yyyy-mm-ddThh:mm:ss
-  std::string units() const; ///< "seconds since yyyy-mm-ddThh:mm:ss"
+  /// From this reference instant to that of another axis of the same calendar, s.
+  double secondsTo(const TimeAxis& other) const;
+  std::string label(double seconds) const; ///< yyyy-mm-ddThh:mm:ss
+  std::string units() const;               ///< "seconds since yyyy-mm-ddThh:mm:ss"
   const char* calendar() const { return calendarName(this->Kind); }
 
 private:

@@ -403,6 +403,28 @@ void CloudFile::checkBaseStates()
   }
 }
 
+/// WRF writes its times as text, "2005-08-28_12:00:00", one line a step.
+bool CloudFile::findWrittenTimes(std::size_t steps)
+{
+  const FileVariable* const variable = this->File.find("Times");
+  if (!variable || variable->dimensions.size() != 2 || variable->dimensions[0] != this->Grid.time)
+  {
+    return false;
+  }
+  const std::vector<std::string> lines = this->File.readText(*variable);
+  if (lines.size() != steps || lines.empty())
+  {
+    return false;
+  }
+  this->Clock = TimeAxis("seconds since " + lines[0], "");
+  for (const std::string& line : lines)
+  {
+    this->Times.push_back(this->Clock.secondsTo(TimeAxis("seconds since " + line, "")));
+  }
+  this->HasClock = true;
+  return true;
+}
+
 void CloudFile::findTimes()
 {
   const FileVariable* variable =
@@ -429,7 +451,7 @@ void CloudFile::findTimes()
     }
     this->HasClock = true;
   }
-  else if (this->Grid.time >= 0)
+  else if (this->Grid.time >= 0 && !this->findWrittenTimes(steps))
   {
     this->warn("dimension " +
       this->File.dimensions()[static_cast<std::size_t>(this->Grid.time)].name +

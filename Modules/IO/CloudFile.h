@@ -60,6 +60,7 @@ private:
   void findRoles();
   void checkBaseStates();
   void findTimes();
+  bool findWrittenTimes(std::size_t steps);
   bool chosenName(Role role, std::string& name) const;
   std::vector<const FileVariable*> candidates(Role role) const;
   bool suits(const FileVariable& variable, Role role) const;

@@ -56,7 +56,12 @@ SmallFile& SmallFile::variable(const char* name, const std::vector<const char*>&
     expect(nc_put_att_double(this->Id, id, key, packed ? stored : NC_DOUBLE, 1, &number));
   }
   expect(nc_enddef(this->Id));
-  if (!values.empty())
+  if (!values.empty() && stored == NC_CHAR)
+  {
+    const std::string text(values.begin(), values.end()); // the characters' numbers
+    expect(nc_put_var_text(this->Id, id, text.data()));
+  }
+  else if (!values.empty())
   {
     expect(nc_put_var_double(this->Id, id, values.data()));
   }

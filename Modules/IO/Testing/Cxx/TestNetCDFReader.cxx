@@ -561,3 +561,22 @@ TEST(NetCDFReader, PlaneInMetresNeedsNoPlaceOnEarth)
   reader->SetGeometryToGlobe();
   EXPECT_NE(messageOf(reader).find("use SetGeometryToLocal"), std::string::npos);
 }
+
+TEST(NetCDFReader, TimesWrittenAsTextAreRead)
+{
+  SmallFile file;
+  file.dimension("Time", 3).dimension("DateStrLen", 19);
+  axes(file, 2);
+  file.variable("lev", { "lev" }, { 85000, 50000 }, { { "units", "Pa" } });
+  file.variable(
+    "cl", { "Time", "lev", "lat", "lon" }, std::vector<double>(36, 0.25), { { "units", "1" } });
+  const std::string lines = "2000-02-28_18:00:002000-02-29_00:00:002000-03-01_06:30:00";
+  file.variable("Times", { "Time", "DateStrLen" }, { lines.begin(), lines.end() }, {}, NC_CHAR);
+  vtkNew<vtkCloudNetCDFReader> reader;
+  read(reader, file);
+  ASSERT_EQ(reader->GetNumberOfTimeSteps(), 3);
+  EXPECT_STREQ(reader->GetTimeUnits(), "seconds since 2000-02-28T18:00:00");
+  EXPECT_EQ(reader->GetTimeValue(1), 6 * 3600.0);
+  EXPECT_EQ(reader->GetTimeValue(2), 36.5 * 3600); // 2000 is a leap year
+  EXPECT_STREQ(reader->GetTimeLabel(2), "2000-03-01T06:30:00");
+}
