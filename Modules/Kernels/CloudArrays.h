@@ -27,7 +27,7 @@ inline constexpr const char* PotentialTemperature =
 
 // Point arrays of the transparency texture.
 inline constexpr const char* TextureCoordinates =
-  "TextureCoordinates";                           ///< 3 components, m of the reference position
+  "TextureCoordinates"; ///< 3 components, m of the reference position
 inline constexpr const char* OtherTextureCoordinates =
   "OtherTextureCoordinates"; ///< the same of a second texture that the first is cross-faded with
 inline constexpr const char* TextureWeights =
