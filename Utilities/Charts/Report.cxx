@@ -168,8 +168,8 @@ std::vector<Study> studies(bool quick, int threads)
     quick ? std::array<int, 2>{ 384, 288 } : std::array<int, 2>{ 1024, 768 };
   const std::array<int, 3> grid =
     quick ? std::array<int, 3>{ 120, 60, 13 } : std::array<int, 3>{ 320, 160, 19 };
-  const performance::Effort accuracy{ quick ? 3 : 7, quick ? 2.0 : 45.0, true };
-  const performance::Effort growing{ quick ? 2 : 3, quick ? 1.0 : 12.0, false };
+  const performance::Effort accuracy{ quick ? 3 : 7, quick ? 2.0 : 30.0, true };
+  const performance::Effort growing{ quick ? 2 : 3, quick ? 1.0 : 8.0, false };
   const Sizes sizes = quick ? Sizes{ { 40, 20, 9 }, { 80, 40, 9 }, { 160, 80, 9 } }
                             : Sizes{ { 96, 64, 19 }, { 160, 120, 31 }, { 320, 160, 37 },
                                 { 640, 320, 31 }, { 800, 500, 51 } };
@@ -178,7 +178,8 @@ std::vector<Study> studies(bool quick, int threads)
     quick ? std::vector<int>{ 96, 192, 384 } : std::vector<int>{ 256, 512, 1024, 2048 })
   {
     pictures.push_back(
-      situation(quick ? std::array<int, 3>{ 80, 40, 9 } : grid, { n, n * 3 / 4 }, threads));
+      situation(quick ? std::array<int, 3>{ 80, 40, 9 } : std::array<int, 3>{ 128, 96, 19 },
+        { n, n * 3 / 4 }, threads));
   }
   return {
     { "contour", "contour", Study::SpeedAndAccuracy, grids({ grid }, picture, threads), accuracy },
