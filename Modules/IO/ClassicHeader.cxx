@@ -30,7 +30,7 @@ public:
   {
     char magic[4] = {};
     this->In.read(magic, 4);
-    const int version = magic[3];
+    const char version = magic[3];
     if (!this->In || magic[0] != 'C' || magic[1] != 'D' || magic[2] != 'F' ||
       (version != 1 && version != 2 && version != 5))
     {
