@@ -2,6 +2,7 @@
 #include "AirSnapshot.h"
 
 #include "CloudArrays.h"
+#include "WholeData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
@@ -112,6 +113,11 @@ AirGrid airGridOf(vtkStructuredGrid* grid)
   {
     throw GridError("the grid has no points.");
   }
+  const std::string missing = whatIsMissing(grid);
+  if (!missing.empty())
+  {
+    throw GridError(missing);
+  }
   AirGrid air;
   const std::string geometry = geometryOf(grid);
   air.globe = geometry == "Globe";
@@ -168,6 +174,11 @@ AirSnapshot airSnapshotOf(const AirGrid& air, vtkStructuredGrid* grid, double ti
   if (grid->GetNumberOfPoints() != points)
   {
     throw GridError("the grid has another number of points than at its first time.");
+  }
+  const std::string missing = whatIsMissing(grid);
+  if (!missing.empty())
+  {
+    throw GridError(missing);
   }
   AirSnapshot snapshot;
   snapshot.time = time;

@@ -6,6 +6,7 @@
 #include "LatticeContour.h"
 #include "LatticeGrid.h"
 #include "TetrahedraSurface.h"
+#include "WholeData.h"
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkDataSet.h"
@@ -382,6 +383,12 @@ int vtkCloudContour::RequestData(
   if (!input || input->GetNumberOfPoints() == 0)
   {
     return 1;
+  }
+  const std::string missing = nephoscope::whatIsMissing(input);
+  if (!missing.empty())
+  {
+    vtkErrorMacro(<< missing);
+    return 0;
   }
   vtkDataArray* field = this->FindField(input, inputVector);
   if (!field || !this->CheckValues())

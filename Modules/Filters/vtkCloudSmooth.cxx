@@ -4,6 +4,7 @@
 #include "CloudArrays.h"
 #include "LatticeGrid.h"
 #include "LineDiffusion.h"
+#include "WholeData.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -281,6 +282,12 @@ int vtkCloudSmooth::RequestData(
   if (!input || !output || input->GetNumberOfPoints() == 0)
   {
     return 1;
+  }
+  const std::string missing = nephoscope::whatIsMissing(input);
+  if (!missing.empty())
+  {
+    vtkErrorMacro(<< missing);
+    return 0;
   }
   std::vector<std::string> names = this->Names;
   if (names.empty())

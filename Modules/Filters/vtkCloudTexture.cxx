@@ -3,6 +3,7 @@
 
 #include "CloudArrays.h"
 #include "CloudTexture.h"
+#include "WholeData.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -98,6 +99,12 @@ int vtkCloudTexture::RequestData(
   if (!input || !output)
   {
     return 1;
+  }
+  const std::string missing = nephoscope::whatIsMissing(input);
+  if (!missing.empty())
+  {
+    vtkErrorMacro(<< missing);
+    return 0;
   }
   vtkPointData* const data = input->GetPointData();
   for (const char* name :

@@ -255,6 +255,14 @@ bool vtkCloudCellVolume::ReadGrid()
                                  << " points has no cells; give two levels at least.");
     return false;
   }
+  const vtkIdType places = static_cast<vtkIdType>(size[0]) * size[1] * size[2];
+  if (grid->GetNumberOfPoints() != places)
+  {
+    vtkErrorMacro("The grid of " << size[0] << " x " << size[1] << " x " << size[2] << " has "
+                                 << grid->GetNumberOfPoints()
+                                 << " points; give one for each place.");
+    return false;
+  }
   ExtinctionAtPoint extinction;
   if (!this->SetUpExtinction(grid, extinction))
   {

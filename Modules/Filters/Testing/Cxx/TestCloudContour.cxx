@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ContourTesting.h"
+#include "vtkCloudSmooth.h"
+#include "vtkCloudTexture.h"
 
 TEST(CloudContour, SphereHasItsAreaToSecondOrder)
 {
@@ -219,4 +221,52 @@ TEST(CloudContour, SaysWhatIsWrong)
   mixed->SetInputData(voxel);
   EXPECT_NE(errorTextOf(mixed).find("vtkDataSetTriangleFilter makes tetrahedra of them"),
     std::string::npos);
+}
+
+TEST(CloudContour, RefusesDataThatAreNotWhole)
+{
+  auto image = randomImage({ 3, 4, 5 }, false, 17);
+  vtkNew<vtkFloatArray> few;
+  few->SetName("Few");
+  few->SetNumberOfTuples(7);
+  few->Fill(1);
+  image->GetPointData()->AddArray(few);
+  const std::string wanted = "Point array 'Few' has 7 tuples for 60 points; give one for each";
+  vtkNew<vtkCloudContour> contour;
+  contour->SetInputData(image);
+  EXPECT_NE(errorTextOf(contour).find(wanted), std::string::npos);
+  EXPECT_EQ(contour->GetOutput()->GetNumberOfPoints(), 0);
+  vtkNew<vtkCloudSmooth> smooth;
+  smooth->SetInputData(image);
+  smooth->SetLength(1);
+  EXPECT_NE(errorTextOf(smooth).find(wanted), std::string::npos);
+  vtkNew<vtkCloudTexture> texture;
+  texture->SetInputData(image);
+  EXPECT_NE(errorTextOf(texture).find(wanted), std::string::npos);
+}
+
+TEST(CloudContour, RefusesGridsWithoutAPointForEachPlace)
+{
+  const std::string wanted = "coordinates do not fill its dimensions";
+  auto curvilinear = structuredGrid({ 3, 4, 5 }, [](const Vector& p) { return p; });
+  addField(curvilinear, [](const Vector& x) { return x[0]; });
+  vtkNew<vtkPoints> points;
+  points->SetNumberOfPoints(2);
+  curvilinear->SetPoints(points);
+  vtkNew<vtkRectilinearGrid> product;
+  product->SetDimensions(3, 4, 5);
+  vtkNew<vtkFloatArray> axis;
+  axis->SetNumberOfTuples(2);
+  axis->Fill(0);
+  product->SetXCoordinates(axis);
+  for (vtkDataSet* grid :
+    { static_cast<vtkDataSet*>(curvilinear), static_cast<vtkDataSet*>(product) })
+  {
+    vtkNew<vtkCloudContour> contour;
+    contour->SetInputDataObject(grid);
+    EXPECT_NE(errorTextOf(contour).find(wanted), std::string::npos);
+    vtkNew<vtkCloudSmooth> smooth;
+    smooth->SetInputDataObject(grid);
+    EXPECT_NE(errorTextOf(smooth).find(wanted), std::string::npos);
+  }
 }

@@ -485,4 +485,10 @@ TEST_F(CloudCellVolume, ErrorsSayWhatIsWrong)
   heightScale->InsertNextValue(-1);
   image->GetFieldData()->AddArray(heightScale);
   expect(image, "HeightScale is -1; it has to be positive");
+  vtkNew<vtkStructuredGrid> hollow;
+  hollow->SetDimensions(3, 2, 2);
+  vtkNew<vtkPoints> points;
+  points->SetNumberOfPoints(5);
+  hollow->SetPoints(points);
+  expect(hollow, "The grid of 3 x 2 x 2 has 5 points; give one for each place");
 }
