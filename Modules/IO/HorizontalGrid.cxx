@@ -51,8 +51,9 @@ std::vector<double> converted(
   const CloudFile& file, const FileVariable& variable, const char* units)
 {
   std::vector<double> values = file.File.readAll(variable);
-  const auto conversion =
-    variable.has("units") ? unitConversion(variable.text("units"), units) : UnitConversion();
+  const auto conversion = variable.text("units").empty()
+    ? UnitConversion()
+    : unitConversion(variable.text("units"), units);
   if (!conversion)
   {
     throw ReadError("variable " + variable.name + ": its units '" +

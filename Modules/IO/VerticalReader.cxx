@@ -473,6 +473,27 @@ std::vector<double> VerticalReader::nominal() const
   return values;
 }
 
+namespace
+{
+/// Levels that no atmosphere has would turn into heights without end.
+void requirePlausible(const std::vector<double>& levels, bool pressure, const std::string& name)
+{
+  const double least = pressure ? 0 : -1e6;
+  const double most = pressure ? 1e8 : 1e7;
+  for (double level : levels)
+  {
+    if (!(level >= least && level <= most))
+    {
+      std::ostringstream text;
+      text << "variable " << name << ": a level lies at " << level << (pressure ? " Pa" : " m")
+           << ", and must lie from " << least << " to " << most
+           << "; correct its values or its units";
+      throw ReadError(text.str());
+    }
+  }
+}
+}
+
 void VerticalReader::findDirection(CloudFile& file)
 {
   std::vector<double> values = this->nominal();
@@ -510,6 +531,10 @@ void VerticalReader::findDirection(CloudFile& file)
     }
     file.Grid.flipZ = (values.back() > values.front()) == pressure;
     return;
+  }
+  if (pressure || this->Form == Coordinate::Height)
+  {
+    requirePlausible(values, pressure, name);
   }
   const bool rises = values.back() > values.front();
   for (std::size_t k = 1; k < values.size(); ++k)

@@ -261,3 +261,37 @@ TEST(NetCDFReaderErrors, UnknownRole)
   reader->ClearVariableNames();
   EXPECT_EQ(messageOf(reader), ""); // and it recovers
 }
+
+TEST(NetCDFReaderErrors, LevelsThatNoAtmosphereHas)
+{
+  const auto refusalOf = [](const std::vector<double>& values, const char* units)
+  {
+    SmallFile file;
+    axes(file);
+    levels(file, values, units);
+    cloud(file);
+    return refusal(file);
+  };
+  EXPECT_EQ(refusalOf({ -1000, -500 }, "hPa"),
+    "variable lev: a level lies at -100000 Pa, and must lie from 0 to 1e+08; correct its values or "
+    "its units");
+  EXPECT_NE(refusalOf({ 2e30, 1e30 }, "hPa").find("a level lies at 2e+32 Pa"), std::string::npos);
+  EXPECT_NE(refusalOf({ 1e20, 1e21 }, "m").find("a level lies at 1e+20 m"), std::string::npos);
+}
+
+TEST(NetCDFReaderErrors, AnEmptyUnitOfAnAxisIsNoUnit)
+{
+  SmallFile file;
+  file.dimension("lev", 2).dimension("lat", 2).dimension("lon", 3);
+  file.variable("lon", { "lon" }, { 0, 120, 240 }, { { "units", "" } });
+  file.variable("lat", { "lat" }, { 10, 11 }, { { "units", "" } });
+  levels(file);
+  cloud(file);
+  vtkNew<vtkCloudNetCDFReader> reader;
+  reader->SetFileName(file.path());
+  reader->SetGeometryToGlobe();
+  EXPECT_EQ(messageOf(reader), "") << "an empty unit is not a radian";
+  double x[3];
+  reader->GetOutput()->GetPoint(1 + 4 * 2, x); // south of it the pole's row may be put in
+  EXPECT_NEAR(std::atan2(x[1], x[0]) * 180 / 3.14159265358979323846, 120, 1e-4);
+}
