@@ -25,6 +25,20 @@ class CommandLine(ProgramTest):
         self.assert_refused(run("info", SAMPLE, "--variable", "CloudFraction"), 2, "ROLE=NAME")
         self.assert_refused(run("convert", SAMPLE, "a.vtp", "--value", "2"), 2, "--value")
         self.assert_refused(run("convert", SAMPLE, "a.vtp", "--threads", "0"), 2, "--threads")
+        self.assert_refused(run("convert", SAMPLE, "a.vtp", "--value", "nan"), 2, "--value", "'nan'")
+        self.assert_refused(run("convert", SAMPLE, "a.vtp", "--exaggeration", "nan"), 2, "--exaggeration", "'nan'")
+        self.assert_refused(run("info", SAMPLE, "--variable", "CloudFraction="), 2, "ROLE=NAME")
+        self.assert_refused(run("rendr"), 2, "'rendr'", "'render'")
+
+    def test_remedies_are_options(self):
+        self.assert_refused(run("info", SAMPLE, "--variable", "Temperature=cl"), 1, "--variable ROLE=NAME")
+        self.assert_refused(run("convert", SAMPLE, self.folder / "a.vtp", "--geometry", "local"), 1,
+                            "--geometry map or globe")
+
+    def test_more_threads_than_the_machine_has_are_as_many_as_it_has(self):
+        done = run("convert", SAMPLE, self.folder / "a.vtp", "--threads", "1000")
+        self.assert_done(done)
+        self.assertNotIn("TBB", done.stderr)
 
 
 class Info(ProgramTest):

@@ -113,6 +113,35 @@ class Render(ProgramTest):
         self.assert_refused(self.render("a.png", "--data", "nowhere.nc", "--style", "volume")[0], 1, "nowhere.nc")
         self.assertEqual(self.files(), [])
 
+    def test_numbers_and_names_that_cannot_be(self):
+        options = ("--data", SAMPLE, "--style", "surface", *SMALL)
+        for option in ("--value", "--exposure", "--exaggeration"):
+            self.assert_refused(self.render("a.png", *options, option, "nan")[0], 2, option, "'nan'")
+        same = str(self.folder / "a.png")
+        self.assert_refused(self.render("a.png", *options, "--stats", same)[0], 2, "--stats")
+        self.assert_refused(self.render("a.png", *options, "--stats", self.folder)[0], 1, "regular file")
+        self.assertEqual(self.files(), [])
+
+    def scene(self, camera="", ground="globe", geometry="globe"):
+        path = self.folder / "scene.yaml"
+        path.write_text("picture: { size: [40, 30] }\ndata: { file: %s, geometry: %s }\ncamera: { %s }\n"
+                        "bodies: [{ type: surface }, { type: %s }]\n" % (SAMPLE, geometry, camera, ground))
+        done = self.render("a.png", path)[0]
+        done.stderr = "".join(line for line in done.stderr.splitlines(True) if ", step 0 of 0 to 3" not in line)
+        return done
+
+    def test_a_camera_that_looks_nowhere_is_refused(self):
+        self.assert_refused(self.scene("position: [0, 0, 0]"), 2, "'target'")
+        self.assert_refused(self.scene("position: [9e7, 1, 2], target: [9e7, 1, 2]"), 2, "'target'")
+        self.assert_refused(self.scene("position: [0, 9e7, 0], up: [0, -1, 0]"), 2, "'up'", "line of sight")
+        self.assert_refused(self.scene("longitude: 0, latitude: 0, up: [1, 0, 0]"), 2, "'up'", "line of sight")
+        self.assert_done(self.scene("position: [0, 0, 9e7]"))
+
+    def test_the_ground_is_that_of_the_geometry(self):
+        self.assert_refused(self.scene(ground="plane"), 2, "'plane'", "'globe'")
+        self.assert_refused(self.scene(geometry="map"), 2, "'globe'", "'plane'")
+        self.assert_done(self.scene(ground="plane", geometry="map"))
+
     def test_a_scene_file_names_the_nearest_key(self):
         scene = self.folder / "scene.yaml"
         scene.write_text("data: { file: %s }\nbodies:\n  - type: surface\n    valu: 0.2\n" % SAMPLE)

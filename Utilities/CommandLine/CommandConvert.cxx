@@ -105,7 +105,7 @@ void addConvert(CLI::App& app)
   command
     ->add_option("--value", options->value, "cloud fraction of the contour, 0 to 1; default 0.15")
     ->type_name("V")
-    ->check(CLI::Range(0.0, 1.0));
+    ->check(numberFrom(0, 1));
   addDataOptions(*command, options->data);
   addThreadsOption(*command);
   command->footer(

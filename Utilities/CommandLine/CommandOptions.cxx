@@ -5,14 +5,34 @@
 #include <CLI/CLI.hpp>
 #include <vtkSMPTools.h>
 
+#include <algorithm>
+#include <sstream>
+
 namespace nephoscope::program
 {
+CLI::Validator numberFrom(double least, double most)
+{
+  std::ostringstream range;
+  range << least << " to " << most;
+  const std::string words = range.str();
+  return CLI::Validator(
+    [least, most, words](const std::string& text)
+    {
+      double value = 0;
+      const bool good = CLI::detail::lexical_cast(text, value) && value >= least && value <= most;
+      return good ? std::string() : "'" + text + "' is not a number from " + words;
+    },
+    "");
+}
+
 void addThreadsOption(CLI::App& command)
 {
   command
     .add_option_function<int>(
-      "--threads", [](int threads) { vtkSMPTools::Initialize(threads); },
-      "threads to compute with; default: as many as the machine has")
+      "--threads",
+      [](int threads)
+      { vtkSMPTools::Initialize(std::min(threads, vtkSMPTools::GetEstimatedNumberOfThreads())); },
+      "threads to compute with; default, and most: as many as the machine has")
     ->type_name("N")
     ->check(CLI::Range(1, 1024))
     ->trigger_on_parse();
@@ -35,7 +55,7 @@ void addDataOptions(CLI::App& command, Data& data)
     .add_option("--exaggeration", data.exaggeration,
       "factor on heights; default: 1 in data, by extent in pictures")
     ->type_name("X")
-    ->check(CLI::Range(1e-3, 1e4));
+    ->check(numberFrom(1e-3, 1e4));
   addVariableOption(command, data.variables);
 }
 
@@ -49,7 +69,7 @@ void addVariableOption(CLI::App& command, std::map<std::string, std::string>& va
         for (const std::string& choice : choices)
         {
           const auto equals = choice.find('=');
-          if (equals == std::string::npos || equals == 0)
+          if (equals == std::string::npos || equals == 0 || equals + 1 == choice.size())
           {
             throw UsageFailure(
               "--variable " + choice + " is not ROLE=NAME, such as CloudFraction=CLDTOT");

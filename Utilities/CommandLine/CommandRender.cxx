@@ -179,8 +179,16 @@ void runRender(const RenderOptions& options)
   {
     throw UsageFailure(options.output + ": the name must end in .png or .exr");
   }
+  if (options.stats == options.output)
+  {
+    throw UsageFailure("--stats " + options.stats + " is the picture's name; give another");
+  }
   const Scene scene = sceneOf(options);
   checkWritable(options.output);
+  if (!options.stats.empty())
+  {
+    checkWritable(options.stats);
+  }
   Progress progress;
   const BuiltScene built = buildScene(scene, !options.style.empty(), progress);
   progress.watch(built.scape, "draw");
@@ -204,7 +212,7 @@ void addPictureOptions(CLI::App& command, RenderOptions& options)
     .add_option(
       "--exposure", options.exposure, "stops; each doubles the brightness of a PNG; default 0")
     ->type_name("STOPS")
-    ->check(CLI::Range(-30.0, 30.0));
+    ->check(numberFrom(-30, 30));
   command
     .add_option("--view", options.view,
       "globe: longitude and latitude under the eye, degrees, and distance from the centre, planet "
@@ -237,7 +245,7 @@ void addRender(CLI::App& app)
   command
     ->add_option("--value", options->value, "cloud fraction of the surfaces, 0 to 1; default 0.15")
     ->type_name("V")
-    ->check(CLI::Range(0.0, 1.0));
+    ->check(numberFrom(0, 1));
   addPictureOptions(*command, *options);
   addDataOptions(*command, options->data);
   command->add_option("--stats", options->stats, "write seconds per stage and counts as JSON")

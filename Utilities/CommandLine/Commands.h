@@ -11,6 +11,7 @@
 namespace CLI
 {
 class App;
+class Validator;
 }
 
 namespace nephoscope::program
@@ -19,6 +20,9 @@ void addInfo(CLI::App& app);
 void addConvert(CLI::App& app);
 void addRender(CLI::App& app);
 void addChart(CLI::App& app);
+
+/// Accepts numbers of a range, ends included; CLI::Range lets NaN pass.
+CLI::Validator numberFrom(double least, double most);
 
 /// Options that several subcommands share. What is not given on the command line stays as it is.
 void addThreadsOption(CLI::App& command);

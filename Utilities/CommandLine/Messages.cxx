@@ -12,6 +12,7 @@
 #include <iostream>
 #include <mutex>
 #include <regex>
+#include <utility>
 
 namespace nephoscope::program
 {
@@ -21,9 +22,25 @@ std::mutex guard;
 std::vector<std::string> errors;
 std::vector<std::string> warnings;
 
+/// A remedy in the words of the classes, in those of the command line.
+std::string asOptions(const std::string& message)
+{
+  static const std::pair<std::regex, const char*> words[] = {
+    { std::regex("SetVariableName"), "--variable ROLE=NAME" },
+    { std::regex("SetGeometryToMap or SetGeometryToGlobe"), "--geometry map or globe" },
+    { std::regex("SetGeometryToLocal"), "--geometry local" },
+  };
+  std::string said = message;
+  for (const auto& [pattern, option] : words)
+  {
+    said = std::regex_replace(said, pattern, option);
+  }
+  return said;
+}
+
 void collect(std::vector<std::string>& list, const char* text)
 {
-  const std::string message = bareMessage(text ? text : "");
+  const std::string message = asOptions(bareMessage(text ? text : ""));
   const std::lock_guard<std::mutex> lock(guard);
   if (std::find(list.begin(), list.end(), message) == list.end())
   {

@@ -36,6 +36,13 @@ std::size_t editDistance(const std::string& a, const std::string& b)
 
 std::string nearest(const std::string& word, const std::vector<std::string>& known)
 {
+  // A beginning, such as lat for latitude, is far in letters but near in mind.
+  const auto begins = std::find_if(known.begin(), known.end(),
+    [&word](const std::string& a) { return word.size() >= 3 && a.rfind(word, 0) == 0; });
+  if (begins != known.end())
+  {
+    return *begins;
+  }
   const auto best = std::min_element(known.begin(), known.end(),
     [&word](const std::string& a, const std::string& b)
     { return editDistance(word, a) < editDistance(word, b); });

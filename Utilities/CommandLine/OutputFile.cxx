@@ -72,8 +72,9 @@ OutputFile::OutputFile(const std::string& path)
 {
   const fs::path target = targetOf(path);
   this->Path = target.string();
+  // Not longer than the target's name, which may be as long as the file system allows.
   this->Partial = (target.parent_path() /
-    ("." + target.stem().string() + "." + std::to_string(::getpid()) + target.extension().string()))
+    (".nephoscope." + std::to_string(::getpid()) + target.extension().string()))
                     .string();
   writing = 1;
 }

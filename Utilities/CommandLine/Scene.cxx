@@ -7,17 +7,12 @@ namespace nephoscope::program
 {
 namespace
 {
-template <class Type, class Variant>
-bool holds(const std::vector<Variant>& parts)
+void requireDirection(const std::optional<Triple>& direction, const std::string& what)
 {
-  for (const Variant& part : parts)
+  if (direction && *direction == Triple{ 0, 0, 0 })
   {
-    if (std::holds_alternative<Type>(part))
-    {
-      return true;
-    }
+    throw UsageFailure(what + " is [0, 0, 0], which is no direction; give another");
   }
-  return false;
 }
 }
 
@@ -46,15 +41,15 @@ Scene sceneOfStyle(const std::string& style, const std::string& dataFile)
 
 void validate(const Scene& scene, const std::string& name)
 {
-  const bool cloudy = holds<SurfaceBody>(scene.bodies) || holds<TextureBody>(scene.bodies) ||
-    holds<VolumeBody>(scene.bodies);
-  if (cloudy && scene.data.file.empty())
-  {
-    throw UsageFailure(name + ": the bodies need data; add data: { file: NAME.nc }");
-  }
   if (scene.bodies.empty())
   {
     throw UsageFailure(name + ": there is nothing to draw; add bodies: [{ type: volume }]");
   }
+  if (scene.data.file.empty())
+  {
+    throw UsageFailure(name + ": the bodies need data; add data: { file: NAME.nc }");
+  }
+  requireDirection(scene.camera.up, name + ": camera: 'up'");
+  requireDirection(scene.light.towardSun, name + ": light: 'towardSun'");
 }
 }

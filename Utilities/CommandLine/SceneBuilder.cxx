@@ -102,6 +102,7 @@ public:
 
   void operator()(const GlobeBody& body)
   {
+    this->requireGeometry(this->Lie.isGlobe(), "globe", "plane");
     const vtkNew<vtkCloudGlobe> globe;
     globe->SetRadius(this->Lie.planetRadius);
     this->addGround(globe, body);
@@ -109,6 +110,7 @@ public:
 
   void operator()(const PlaneBody& body)
   {
+    this->requireGeometry(!this->Lie.isGlobe(), "plane", "globe");
     const vtkNew<vtkCloudPlane> plane;
     plane->SetHeight(body.height * this->Lie.heightScale);
     this->addGround(plane, body);
@@ -133,6 +135,7 @@ private:
   void addGround(vtkCloudGround* ground, const Ground& look);
   void addHaze(double extinction, const Triple& color);
   void light(vtkCloudLitBody* body);
+  void requireGeometry(bool fits, const std::string& ground, const std::string& other) const;
 
   const Scene& Parts;
   Progress& Watch;
@@ -263,6 +266,16 @@ void Builder::addHaze(double extinction, const Triple& color)
   haze->SetExtinction(extinction, extinction, extinction);
   haze->SetColor(color.data());
   this->Built.scape->AddBody(haze);
+}
+
+void Builder::requireGeometry(bool fits, const std::string& ground, const std::string& other) const
+{
+  if (!fits)
+  {
+    throw UsageFailure("a '" + ground + "' is no ground for " + this->Parts.data.file +
+      ", whose geometry is " + this->Lie.geometry + "; use '" + other +
+      "', or choose another geometry");
+  }
 }
 
 void Builder::light(vtkCloudLitBody* body)

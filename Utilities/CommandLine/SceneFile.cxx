@@ -182,6 +182,11 @@ Part readTyped(const Place& place, const std::string& what)
   std::vector<std::string> types;
   visitTypes(static_cast<Part*>(nullptr),
     [&types](const char* name, const char*, auto) { types.emplace_back(name); });
+  if (!place.Node.IsMap())
+  {
+    place.fail(
+      "a part of " + inQuotes(what) + " must be a mapping, such as { type: " + types[0] + " }");
+  }
   const auto given = keysOf(place, what);
   const auto found = given.find("type");
   if (found == given.end())
@@ -292,7 +297,13 @@ Scene parseScene(const std::string& text, const std::string& name)
   YAML::Node root;
   try
   {
-    root = YAML::Load(text);
+    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    if (documents.size() > 1)
+    {
+      throw UsageFailure(name + ": holds " + std::to_string(documents.size()) +
+        " YAML documents, divided by '---'; a scene is one");
+    }
+    root = documents.empty() ? YAML::Node() : documents.front();
   }
   catch (const YAML::Exception& error)
   {

@@ -71,18 +71,22 @@ void visitKeys(CameraView& camera, Visitor&& visit)
       "globe: of the eye from the centre, planet radii; map, local: 1 is where all the data fit",
       "all fits", 1e-3, 1e6 },
     camera.distance);
-  visit(Key{ "position", "scene units", "the eye, instead of the above", "from the above" },
+  visit(Key{ "position", "scene units", "the eye, instead of the above", "from the above", -1e12,
+          1e12 },
     camera.position);
-  visit(Key{ "target", "scene units", "point in the picture's middle", "the data's middle" },
+  visit(Key{ "target", "scene units", "point in the picture's middle", "the data's middle", -1e12,
+          1e12 },
     camera.target);
-  visit(Key{ "up", "", "direction that points up in the picture", "[0, 0, 1]" }, camera.up);
+  visit(
+    Key{ "up", "", "direction that points up in the picture", "[0, 0, 1]", -1e6, 1e6 }, camera.up);
   visit(Key{ "viewAngle", "degrees", "vertical angle of view", "30", 0.01, 170 }, camera.viewAngle);
 }
 
 template <class Visitor>
 void visitKeys(Light& light, Visitor&& visit)
 {
-  visit(Key{ "towardSun", "", "direction to the sun in the scene", "over the eye's left shoulder" },
+  visit(Key{ "towardSun", "", "direction to the sun in the scene", "over the eye's left shoulder",
+          -1e6, 1e6 },
     light.towardSun);
   visit(
     Key{ "ambient", "1", "the sky's share of the light on surfaces", "0.3", 0, 1 }, light.ambient);
@@ -91,10 +95,10 @@ void visitKeys(Light& light, Visitor&& visit)
 template <class Visitor>
 void visitKeys(Backdrop& backdrop, Visitor&& visit)
 {
-  visit(Key{ "zenith", "linear RGB", "radiance overhead", "by geometry", 0 }, backdrop.zenith);
-  visit(
-    Key{ "horizon", "linear RGB", "radiance at the horizon", "by geometry", 0 }, backdrop.horizon);
-  visit(Key{ "nadir", "linear RGB", "radiance below", "by geometry", 0 }, backdrop.nadir);
+  visit(Key{ "zenith", "linear RGB", "radiance overhead", "by geometry", 0, 1e6 }, backdrop.zenith);
+  visit(Key{ "horizon", "linear RGB", "radiance at the horizon", "by geometry", 0, 1e6 },
+    backdrop.horizon);
+  visit(Key{ "nadir", "linear RGB", "radiance below", "by geometry", 0, 1e6 }, backdrop.nadir);
 }
 
 template <class Visitor>
@@ -142,8 +146,8 @@ void visitKeys(VolumeBody& body, Visitor&& visit)
     Key{ "liquidRadius", "um", "effective radius of droplets", "10", 0.1, 1e4 }, body.liquidRadius);
   visit(
     Key{ "iceRadius", "um", "effective radius of ice crystals", "30", 0.1, 1e4 }, body.iceRadius);
-  visit(
-    Key{ "color", "linear RGB", "radiance of cloud that nothing shines through", "[1, 1, 1]", 0 },
+  visit(Key{ "color", "linear RGB", "radiance of cloud that nothing shines through", "[1, 1, 1]", 0,
+          1e6 },
     body.color);
 }
 
@@ -177,7 +181,7 @@ void visitKeys(UniformMedium& medium, Visitor&& visit)
 {
   visit(Key{ "extinction", "1/km", "optical depth of a kilometre of the scene", "0", 0, 1e6 },
     medium.extinction);
-  visit(Key{ "color", "linear RGB", "radiance of an endless depth of it", "[0.7, 0.8, 1]", 0 },
+  visit(Key{ "color", "linear RGB", "radiance of an endless depth of it", "[0.7, 0.8, 1]", 0, 1e6 },
     medium.color);
 }
 

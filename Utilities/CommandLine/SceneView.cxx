@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneView.h"
 
+#include "Failure.h"
+
 #include <CloudArrays.h>
 #include <vtkCamera.h>
 #include <vtkCloudGradedBackdrop.h>
@@ -182,6 +184,25 @@ Vector3 towardEyeOf(const CameraView& view, const Extent& extent)
   return directionOf(view.longitude.value_or(longitude), view.latitude.value_or(latitude));
 }
 
+/// What is up in a picture of this line of sight. @throw UsageFailure if that is no direction across the line
+Vector3 upAcross(const CameraView& view, const Vector3& towardEye)
+{
+  if (!(length(towardEye) > 0))
+  {
+    throw UsageFailure("camera: the eye stands in the 'target'; move 'position' or 'target'");
+  }
+  const Vector3 up = view.up ? vectorOf(*view.up) : Vector3{ 0, 0, 1 };
+  if (length(cross(up, towardEye)) > 1e-6 * length(up) * length(towardEye))
+  {
+    return up;
+  }
+  if (view.up)
+  {
+    throw UsageFailure("camera: 'up' lies along the line of sight; choose a direction across it");
+  }
+  return { 0, 1, 0 }; // straight down: north is up
+}
+
 /// Where the eye of the default or of the given distance stands.
 Vector3 eyeOf(const CameraView& view, const Extent& extent, const Vector3& target,
   const Vector3& towardEye, const Frame& frame, const std::array<int, 2>& size)
@@ -255,7 +276,7 @@ double exaggerationOf(const Extent& extent)
 vtkSmartPointer<vtkCamera> cameraOf(
   const CameraView& view, const Extent& extent, const std::array<int, 2>& size)
 {
-  Vector3 up = view.up ? vectorOf(*view.up) : Vector3{ 0, 0, 1 };
+  Vector3 up;
   Vector3 target = view.target ? vectorOf(*view.target)
     : extent.isGlobe()         ? Vector3{ 0, 0, 0 }
                                : extent.middle;
@@ -263,15 +284,14 @@ vtkSmartPointer<vtkCamera> cameraOf(
   if (view.position)
   {
     eye = vectorOf(*view.position);
+    up = upAcross(view, eye - target);
   }
   else
   {
     const Vector3 towardEye = towardEyeOf(view, extent);
-    if (length(cross(up, towardEye)) < 1e-6 * length(up))
-    {
-      up = { 0, 1, 0 }; // straight down: north is up
-    }
+    up = upAcross(view, towardEye);
     eye = eyeOf(view, extent, target, towardEye, frameOf(towardEye, up), size);
+    up = upAcross(view, eye - target);
   }
   auto camera = vtkSmartPointer<vtkCamera>::New();
   camera->SetPosition(eye.v);

@@ -3,6 +3,7 @@
 #include "Commands.h"
 #include "Failure.h"
 #include "Messages.h"
+#include "Nearest.h"
 #include "OutputFile.h"
 
 #include <CLI/CLI.hpp>
@@ -30,6 +31,13 @@ int run(CLI::App& app, int argc, char** argv)
       return app.exit(error); // --help, --version
     }
     const auto chosen = app.get_subcommands();
+    const std::string first = argc > 1 && *argv[1] ? argv[1] : "-";
+    if (chosen.empty() && first.front() != '-')
+    {
+      note("there is no command '" + first + "'; did you mean '" +
+        nearest(first, { "info", "convert", "render" }) + "'? See nephoscope --help");
+      return UsageError;
+    }
     note(std::string(error.what()) + "; see nephoscope " +
       (chosen.empty() ? std::string() : chosen.front()->get_name() + " ") + "--help");
     return UsageError;

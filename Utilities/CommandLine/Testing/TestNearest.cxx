@@ -36,4 +36,5 @@ TEST(Nearest, IsTheFirstOfTheNearest)
   EXPECT_EQ(nearest("exposur", { "size", "exposure", "position" }), "exposure");
   EXPECT_EQ(nearest("ab", { "ax", "ay" }), "ax");
   EXPECT_EQ(nearest("anything", {}), "");
+  EXPECT_EQ(nearest("lat", { "up", "latitude" }), "latitude") << "a beginning is nearer";
 }

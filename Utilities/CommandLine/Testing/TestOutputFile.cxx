@@ -78,6 +78,14 @@ TEST_F(OutputFileTest, LeavesNothingBehindWithoutCommit)
   EXPECT_EQ(this->count(), 1);
 }
 
+TEST_F(OutputFileTest, TakesTheLongestName)
+{
+  const std::string name = std::string(251, 'n') + ".txt";
+  writeText(this->path(name), "long");
+  EXPECT_EQ(this->contents(name), "long");
+  EXPECT_EQ(this->count(), 1);
+}
+
 TEST_F(OutputFileTest, ReplacesTheTargetOfALink)
 {
   writeText(this->path("target"), "old");

@@ -159,3 +159,37 @@ TEST(SceneFile, TheReferenceIsTheProgramsOwn)
   EXPECT_NE(document.str().find(sceneReference()), std::string::npos)
     << "bring Utilities/Doc/scene.md up to date with: nephoscope render --scene-keys";
 }
+
+TEST(SceneFile, EveryGroundNeedsData)
+{
+  for (const char* ground : { "globe", "plane" })
+  {
+    EXPECT_NE(failureOf("bodies: [{ type: " + std::string(ground) + " }]")
+                .find("scene.yaml: the bodies need data"),
+      std::string::npos);
+  }
+}
+
+TEST(SceneFile, DirectionsHaveADirection)
+{
+  const std::string rest = "\ndata: { file: a.nc }\nbodies: [{ type: volume }]";
+  EXPECT_NE(
+    failureOf("camera: { up: [0, 0, 0] }" + rest).find("'up' is [0, 0, 0]"), std::string::npos);
+  EXPECT_NE(failureOf("light: { towardSun: [0, 0, 0] }" + rest).find("'towardSun' is [0, 0, 0]"),
+    std::string::npos);
+}
+
+TEST(SceneFile, LengthsAndRadiancesStayWhereTheirSquaresAreFinite)
+{
+  EXPECT_NE(failureOf("camera: { position: [1e300, 0, 0] }").find("from -1e+12 to 1e+12"),
+    std::string::npos);
+  EXPECT_NE(
+    failureOf("backdrop: { zenith: [1e308, 0, 0] }").find("from 0 to 1e+06"), std::string::npos);
+}
+
+TEST(SceneFile, IsOneDocumentWithMappingsAsParts)
+{
+  EXPECT_NE(failureOf("a: 1\n---\nb: 2\n").find("holds 2 YAML documents"), std::string::npos);
+  EXPECT_NE(failureOf("bodies: [surface]").find(":1: a part of 'bodies' must be a mapping"),
+    std::string::npos);
+}
