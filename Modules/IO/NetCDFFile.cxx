@@ -7,6 +7,7 @@
 #include <netcdf.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -241,6 +242,10 @@ NetCDFFile::NetCDFFile(const std::string& path)
   if (status != NC_NOERR)
   {
     this->Id = -1;
+    if (status == EACCES)
+    {
+      throw ReadError("its permissions forbid reading; allow it with chmod u+r");
+    }
     throw ReadError(std::string("it cannot be opened as NetCDF (") + nc_strerror(status) +
       "); it may be another format, or cut short: try ncdump -h, or fetch it again");
   }

@@ -3,6 +3,7 @@
 #include "SmallFile.h"
 
 #include <netcdf.h>
+#include <unistd.h>
 
 #include <fstream>
 
@@ -294,4 +295,18 @@ TEST(NetCDFReaderErrors, AnEmptyUnitOfAnAxisIsNoUnit)
   double x[3];
   reader->GetOutput()->GetPoint(1 + 4 * 2, x); // south of it the pole's row may be put in
   EXPECT_NEAR(std::atan2(x[1], x[0]) * 180 / 3.14159265358979323846, 120, 1e-4);
+}
+
+TEST(NetCDFReaderErrors, ForbiddenFile)
+{
+  if (::geteuid() == 0)
+  {
+    GTEST_SKIP() << "root may read every file";
+  }
+  SmallFile file;
+  axes(file);
+  levels(file);
+  cloud(file);
+  std::filesystem::permissions(file.path(), std::filesystem::perms::none);
+  EXPECT_EQ(refusal(file), "its permissions forbid reading; allow it with chmod u+r");
 }
