@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """info, convert and the command line itself."""
 import json
+import shutil
+
+import netCDF4
 
 from program import ROOT, SAMPLE, ProgramTest, main, run
 
@@ -29,6 +32,7 @@ class CommandLine(ProgramTest):
         self.assert_refused(run("convert", SAMPLE, "a.vtp", "--exaggeration", "nan"), 2, "--exaggeration", "'nan'")
         self.assert_refused(run("info", SAMPLE, "--variable", "CloudFraction="), 2, "ROLE=NAME")
         self.assert_refused(run("rendr"), 2, "'rendr'", "'render'")
+        self.assert_refused(run("chrt"), 2, "'chrt'", "'chart'")
 
     def test_remedies_are_options(self):
         self.assert_refused(run("info", SAMPLE, "--variable", "Temperature=cl"), 1, "--variable ROLE=NAME")
@@ -105,6 +109,15 @@ class Convert(ProgramTest):
             done, path = self.convert("a.vtp", "--time=" + time)
             self.assert_refused(done, 1, "2001-10-01T00:00:00", "2001-10-01T18:00:00")
             self.assertFalse(path.exists())
+
+    def test_steps_without_dates_are_numbered(self):
+        undated = self.folder / "undated.nc"
+        shutil.copy(SAMPLE, undated)
+        with netCDF4.Dataset(undated, "a") as file:
+            file["time"].delncattr("units")
+        done = run("convert", undated, self.folder / "a.vtp", "--time", "2")
+        self.assert_done(done)
+        self.assertIn(str(undated) + ": step 2 of 0 to 3\n", done.stderr)
 
     def test_more_cloud_is_within_less(self):
         _, low = self.convert("low.vtp", "--value", "0.05")

@@ -137,8 +137,9 @@ vtkSmartPointer<vtkStructuredGrid> readStep(
   Messages::throwIfError(file);
   if (steps > 1)
   {
-    note(file + ": time " + reader->GetTimeLabel(step) + ", step " + std::to_string(step) +
-      " of 0 to " + std::to_string(steps - 1));
+    const std::string label = reader->GetTimeLabel(step); // empty if the axis has no dates
+    note(file + ": " + (label.empty() ? "" : "time " + label + ", ") + "step " +
+      std::to_string(step) + " of 0 to " + std::to_string(steps - 1));
   }
   for (const std::string& warning : Messages::takeWarnings())
   {

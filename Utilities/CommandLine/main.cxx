@@ -34,8 +34,13 @@ int run(CLI::App& app, int argc, char** argv)
     const std::string first = argc > 1 && *argv[1] ? argv[1] : "-";
     if (chosen.empty() && first.front() != '-')
     {
-      note("there is no command '" + first + "'; did you mean '" +
-        nearest(first, { "info", "convert", "render" }) + "'? See nephoscope --help");
+      std::vector<std::string> commands;
+      for (const CLI::App* const command : app.get_subcommands({}))
+      {
+        commands.push_back(command->get_name());
+      }
+      note("there is no command '" + first + "'; did you mean '" + nearest(first, commands) +
+        "'? See nephoscope --help");
       return UsageError;
     }
     note(std::string(error.what()) + "; see nephoscope " +
