@@ -6,11 +6,13 @@
 #ifndef WholeData_h
 #define WholeData_h
 
+#include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStructuredGrid.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <string>
 
@@ -48,6 +50,19 @@ inline bool axesAreWhole(vtkDataSet* data)
   return whole;
 }
 
+/// Whether every cell of an unstructured grid stands on points that there are; true of other data sets.
+inline bool cornersExist(vtkDataSet* data)
+{
+  auto* const grid = vtkUnstructuredGrid::SafeDownCast(data);
+  if (!grid || grid->GetNumberOfCells() == 0)
+  {
+    return true;
+  }
+  double range[2];
+  grid->GetCells()->GetConnectivityArray()->GetRange(range);
+  return range[0] >= 0 && range[1] < static_cast<double>(grid->GetNumberOfPoints());
+}
+
 /// What a data set lacks for being read by point index, as a sentence; empty if it is whole.
 inline std::string whatIsMissing(vtkDataSet* data)
 {
@@ -56,6 +71,11 @@ inline std::string whatIsMissing(vtkDataSet* data)
   {
     return "The grid's coordinates do not fill its dimensions: it has " + std::to_string(points) +
       " points; give one for each place.";
+  }
+  if (!cornersExist(data))
+  {
+    return "The grid has cells on points that it does not have: its " + std::to_string(points) +
+      " points are numbered from 0; correct the cells.";
   }
   vtkPointData* const arrays = data->GetPointData();
   for (int a = 0; a < arrays->GetNumberOfArrays(); ++a)

@@ -134,13 +134,13 @@ bool usableTetrahedra(
   vtkUnsignedCharArray* cellGhosts = grid->GetCellGhostArray();
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
-    if (grid->GetCellType(cell) != VTK_TETRA)
-    {
-      return false;
-    }
     vtkIdType count = 0;
     const vtkIdType* ids = nullptr;
     grid->GetCellPoints(cell, count, ids);
+    if (grid->GetCellType(cell) != VTK_TETRA || count != 4)
+    {
+      return false;
+    }
     OrientedTetrahedron t = { ids[0], ids[1], ids[2], ids[3] };
     bool usable = !isHidden(
       cellGhosts, cell, vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL);

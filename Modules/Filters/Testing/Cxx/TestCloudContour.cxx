@@ -270,3 +270,38 @@ TEST(CloudContour, RefusesGridsWithoutAPointForEachPlace)
     EXPECT_NE(errorTextOf(smooth).find(wanted), std::string::npos);
   }
 }
+
+TEST(CloudContour, RefusesCellsOnPointsThatThereAreNot)
+{
+  for (const vtkIdType wrong : { vtkIdType(4), vtkIdType(99999999), vtkIdType(-5) })
+  {
+    vtkNew<vtkUnstructuredGrid> grid;
+    vtkNew<vtkPoints> points;
+    for (int n = 0; n < 4; ++n)
+    {
+      points->InsertNextPoint(n == 1, n == 2, n == 3);
+    }
+    grid->SetPoints(points);
+    const vtkIdType ids[4] = { 0, 1, 2, wrong };
+    grid->InsertNextCell(VTK_TETRA, 4, ids);
+    addField(grid, [](const Vector& x) { return x[0]; });
+    vtkNew<vtkCloudContour> contour;
+    contour->SetInputData(grid);
+    EXPECT_NE(errorTextOf(contour).find("cells on points that it does not have: its 4 points"),
+      std::string::npos);
+  }
+}
+
+TEST(CloudContour, RefusesATetrahedronOfThreeCorners)
+{
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkNew<vtkPoints> points;
+  points->SetNumberOfPoints(4);
+  grid->SetPoints(points);
+  const vtkIdType ids[3] = { 0, 1, 2 };
+  grid->InsertNextCell(VTK_TETRA, 3, ids);
+  addField(grid, [](const Vector&) { return 0.0; });
+  vtkNew<vtkCloudContour> contour;
+  contour->SetInputData(grid);
+  EXPECT_NE(errorTextOf(contour).find("cells that are not tetrahedra"), std::string::npos);
+}
