@@ -44,7 +44,12 @@ struct Surroundings
   double ab() const { return dot(this->a, this->b); }
   double bb() const { return dot(this->b, this->b); }
   double determinant() const { return this->aa() * this->bb() - this->ab() * this->ab(); }
-  bool span() const { return this->determinant() > 1e-12 * this->aa() * this->bb(); }
+  /// Not where columns coincide, such as those of a pole's row but for rounding, nor where a and b are parallel.
+  bool span() const
+  {
+    return this->aa() > 1e-12 * this->bb() && this->bb() > 1e-12 * this->aa() &&
+      this->determinant() > 1e-12 * this->aa() * this->bb();
+  }
 };
 }
 

@@ -87,11 +87,13 @@ LevelStencil levelStencil(double level, int levels, Interpolation interpolation)
 Parcel follow(
   const WindPair& wind, const TrajectoryScheme& scheme, Parcel parcel, double from, double to)
 {
-  const double step = (to - from) / scheme.substeps;
+  const int substeps =
+    std::max(static_cast<int>(std::ceil(std::abs(to - from) * scheme.substeps - 1e-9)), 1);
+  const double step = (to - from) / substeps;
   const double seconds = step * wind.seconds;
   const auto motion = [&wind, &scheme](const Parcel& p, double at)
   { return motionAt(wind, scheme.interpolation, p, at); };
-  for (int n = 0; n < scheme.substeps; ++n)
+  for (int n = 0; n < substeps; ++n)
   {
     const double at = from + n * step;
     const Motion k1 = motion(parcel, at);
@@ -154,8 +156,10 @@ void measureWind(const ColumnGrid& grid, int levels, double radius, const float*
   strain = 0;
   const auto compare = [&](int i0, int j0, int i1, int j1)
   {
-    const double distance = scale * length(grid.position(i1, j1) - grid.position(i0, j0));
-    for (int k = 0; k < levels && distance > 0; ++k)
+    const double apart = length(grid.position(i1, j1) - grid.position(i0, j0));
+    const double distance = scale * apart;
+    // The columns of a pole's row coincide, but for rounding.
+    for (int k = 0; k < levels && apart > (grid.isSphere() ? 1e-9 : 0); ++k)
     {
       const double rate = length(at(i1, j1, k) - at(i0, j0, k)) / distance;
       strain = rate > strain ? rate : strain; // NaN compares false

@@ -57,7 +57,7 @@ struct TrajectoryScheme
 {
   Integrator integrator = Integrator::RungeKutta2;
   Interpolation interpolation = Interpolation::Linear;
-  int substeps = 1; ///< >= 1
+  int substeps = 1; ///< of the whole interval, >= 1; a part of it has as many as its share
 };
 
 /// The levels that a real level number is read from, and their weights, which sum to 1.

@@ -4,13 +4,13 @@
 #include "Failure.h"
 #include "Messages.h"
 #include "OutputFile.h"
+#include "PictureFile.h"
 #include "Progress.h"
 #include "SceneBuilder.h"
 #include "SceneFile.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
-#include <vtkCloudPictureWriter.h>
 #include <vtkCloudscape.h>
 #include <vtkImageData.h>
 #include <vtkSMPTools.h>
@@ -39,19 +39,6 @@ struct RenderOptions
   std::optional<std::string> view;
   bool sceneKeys = false;
 };
-
-std::array<int, 2> sizeOf(const std::string& text)
-{
-  std::array<int, 2> size{};
-  char extra = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%c", &size[0], &size[1], &extra) != 2 || size[0] < 1 ||
-    size[1] < 1 || size[0] > 32768 || size[1] > 32768)
-  {
-    throw UsageFailure(
-      "--size " + text + " is not WIDTHxHEIGHT in pixels, each from 1 to 32768, such as 1024x768");
-  }
-  return size;
-}
 
 void setView(CameraView& camera, const std::string& text)
 {
@@ -130,23 +117,6 @@ Scene sceneOf(const RenderOptions& options)
   return scene;
 }
 
-void write(vtkCloudscape* scape, double exposure, const std::string& path)
-{
-  OutputFile file(path);
-  const vtkNew<vtkCloudPictureWriter> writer;
-  writer->SetInputData(scape->GetOutput());
-  writer->SetExposure(exposure);
-  writer->SetShoulder(0.2);
-  writer->SetFileName(file.partial().c_str());
-  const int written = writer->Write();
-  Messages::throwIfError(path);
-  if (!written)
-  {
-    throw Failure(path + ": cannot be written; is the disk full?");
-  }
-  file.commit();
-}
-
 nlohmann::ordered_json statsOf(const BuiltScene& built, double writeSeconds)
 {
   vtkCloudscape* const scape = built.scape;
@@ -197,7 +167,7 @@ void runRender(const RenderOptions& options)
   Messages::throwIfError(scene.data.file);
   Messages::printWarnings();
   Stopwatch clock;
-  write(built.scape, scene.picture.exposure, options.output);
+  writePicture(built.scape, scene.picture.exposure, options.output);
   if (!options.stats.empty())
   {
     writeText(options.stats, statsOf(built, clock.lap()).dump(2) + "\n");

@@ -19,6 +19,7 @@ namespace nephoscope::program
 void addInfo(CLI::App& app);
 void addConvert(CLI::App& app);
 void addRender(CLI::App& app);
+void addAnimate(CLI::App& app);
 void addChart(CLI::App& app);
 
 /// Accepts numbers of a range, ends included; CLI::Range lets NaN pass.

@@ -41,6 +41,14 @@ Scene sceneOfStyle(const std::string& style, const std::string& dataFile)
 
 void validate(const Scene& scene, const std::string& name)
 {
+  for (std::size_t n = 1; n < scene.keyframes.size(); ++n)
+  {
+    if (!(scene.keyframes[n].at > scene.keyframes[n - 1].at))
+    {
+      throw UsageFailure(name + ": the 'at' of keyframe " + std::to_string(n + 1) +
+        " is not greater than that of the one before; put them in order");
+    }
+  }
   if (scene.bodies.empty())
   {
     throw UsageFailure(name + ": there is nothing to draw; add bodies: [{ type: volume }]");

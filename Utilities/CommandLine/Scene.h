@@ -49,6 +49,27 @@ struct CameraView
   double viewAngle = 30;
 };
 
+/// What the camera and the sun are at one moment of an animation; what is not given runs on between its neighbours.
+struct Keyframe
+{
+  double at = 0; ///< of the animation, 0 the first frame, 1 the last
+  std::optional<double> longitude;
+  std::optional<double> latitude;
+  std::optional<double> bearing;
+  std::optional<double> elevation;
+  std::optional<double> distance;
+  std::optional<double> viewAngle;
+  std::optional<Triple> position;
+  std::optional<Triple> target;
+  std::optional<Triple> towardSun;
+};
+
+/// How keyframes are joined.
+struct Animation
+{
+  std::string motion = "smooth";
+};
+
 struct Light
 {
   std::optional<Triple> towardSun;
@@ -81,6 +102,7 @@ struct TextureBody : SurfaceBody
   std::optional<double> rimThreshold;
   double range = 0.35;
   int seed = 1;
+  bool advect = true; ///< in an animation, with the wind
 };
 
 /// Grid cells as volumes: Max 1994, figure 7.
@@ -127,6 +149,8 @@ struct Scene
   CameraView camera;
   Light light;
   Backdrop backdrop;
+  Animation animation;
+  std::vector<Keyframe> keyframes; ///< in rising order
   std::vector<Body> bodies;
   std::vector<Medium> media;
 };

@@ -49,25 +49,31 @@ constexpr double HazeDepth = 0.2;
 class Builder
 {
 public:
-  Builder(const Scene& scene, bool addGround, Progress& progress)
+  Builder(const Scene& scene, vtkStructuredGrid* grid, const Extent& lie, Progress& progress)
     : Parts(scene)
     , Watch(progress)
+    , Grid(grid)
+    , Lie(lie)
   {
     this->Built.scape = vtkSmartPointer<vtkCloudscape>::New();
-    this->read();
-    this->lay(addGround);
+    this->Built.cells = grid->GetNumberOfCells();
   }
 
-  void operator()(const SurfaceBody& body) { this->addSurface(body); }
+  void lay(bool addGround);
+
+  void operator()(const SurfaceBody& body) { this->addSurface(body, false); }
 
   void operator()(const TextureBody& body)
   {
     const double metre =
       this->Lie.isGlobe() || this->Lie.geometry == "Local" ? 1 : this->Lie.heightScale;
-    vtkCloudSurface* const surface = this->addSurface(body);
+    const bool moves = body.advect && holds(this->Grid, arrays::TextureCoordinates);
+    vtkCloudSurface* const surface = this->addSurface(body, moves);
     surface->SetOpacityModeToTexture();
-    surface->SetTextureWavelength(
-      body.wavelength ? *body.wavelength * 1000 * metre : 4 * this->Lie.gridStep);
+    // Coordinates that move are in metres, the places of points in scene units.
+    surface->SetTextureWavelength(moves && body.wavelength ? *body.wavelength * 1000
+        : body.wavelength                                  ? *body.wavelength * 1000 * metre
+                                                           : 4 * this->Lie.gridStep);
     surface->SetTextureOctaves(body.octaves);
     surface->SetTextureOffset(body.offset);
     surface->SetTextureThreshold(body.threshold);
@@ -128,10 +134,8 @@ public:
   }
 
 private:
-  void read();
-  void lay(bool addGround);
   bool isCondensate(const VolumeBody& body) const;
-  vtkCloudSurface* addSurface(const SurfaceBody& body);
+  vtkCloudSurface* addSurface(const SurfaceBody& body, bool keepCoordinates);
   void addGround(vtkCloudGround* ground, const Ground& look);
   void addHaze(double extinction, const Triple& color);
   void light(vtkCloudLitBody* body);
@@ -141,42 +145,10 @@ private:
   Progress& Watch;
   Stopwatch Clock;
   vtkSmartPointer<vtkStructuredGrid> Grid;
-  Extent Lie;
+  const Extent& Lie;
   Vector3 TowardSun{ 0, 0, 1 };
   BuiltScene Built;
 };
-
-void Builder::read()
-{
-  const Data& data = this->Parts.data;
-  const auto reader = openModelFile(data);
-  this->Watch.watch(reader, "read");
-  // A volume can be drawn of condensate alone; a surface needs a fraction.
-  bool needsFraction = false;
-  for (const Body& body : this->Parts.bodies)
-  {
-    const auto* const volume = std::get_if<VolumeBody>(&body);
-    needsFraction = needsFraction || isSurface(body) || (volume && volume->quantity == "fraction");
-  }
-  this->Grid = readStep(reader, data.time, needsFraction);
-  this->Lie = extentOf(this->Grid);
-  if (!data.exaggeration)
-  {
-    const double factor = exaggerationOf(this->Lie);
-    reader->SetVerticalExaggeration(factor);
-    reader->Update();
-    Messages::throwIfError(data.file);
-    Messages::takeWarnings(); // they are those of the first reading
-    this->Lie = extentOf(this->Grid);
-  }
-  this->Built.cells = this->Grid->GetNumberOfCells();
-  if (this->Built.cells == 0 || this->Grid->GetDataDimension() < 3)
-  {
-    throw Failure(data.file + ": has one column or one level only; a picture needs two each way");
-  }
-  this->Watch.forget();
-  this->Built.readSeconds = this->Clock.lap();
-}
 
 void Builder::lay(bool addGround)
 {
@@ -216,20 +188,26 @@ bool Builder::isCondensate(const VolumeBody& body) const
   return body.quantity == "condensate";
 }
 
-vtkCloudSurface* Builder::addSurface(const SurfaceBody& body)
+vtkCloudSurface* Builder::addSurface(const SurfaceBody& body, bool keepCoordinates)
 {
+  const vtkNew<vtkStructuredGrid> grid;
+  grid->ShallowCopy(this->Grid);
+  if (!keepCoordinates)
+  {
+    grid->GetPointData()->RemoveArray(arrays::TextureCoordinates);
+  }
   const vtkNew<vtkCloudSmooth> smooth;
   const vtkNew<vtkCloudContour> contour;
   const vtkNew<vtkCloudSurface> surface;
   if (body.smoothing > 0)
   {
-    smooth->SetInputData(this->Grid);
+    smooth->SetInputData(grid);
     smooth->SetLength(body.smoothing * this->Lie.gridStep);
     contour->SetInputConnection(smooth->GetOutputPort());
   }
   else
   {
-    contour->SetInputData(this->Grid);
+    contour->SetInputData(grid);
   }
   contour->SetValue(0, body.value);
   this->Watch.watch(contour, "contour");
@@ -285,9 +263,43 @@ void Builder::light(vtkCloudLitBody* body)
 }
 }
 
-BuiltScene buildScene(const Scene& scene, bool addGround, Progress& progress)
+SceneData readData(const Scene& scene, Progress& progress)
 {
-  Builder builder(scene, addGround, progress);
+  const Data& data = scene.data;
+  SceneData read;
+  read.reader = openModelFile(data);
+  progress.watch(read.reader, "read");
+  // A volume can be drawn of condensate alone; a surface needs a fraction.
+  bool needsFraction = false;
+  for (const Body& body : scene.bodies)
+  {
+    const auto* const volume = std::get_if<VolumeBody>(&body);
+    needsFraction = needsFraction || isSurface(body) || (volume && volume->quantity == "fraction");
+  }
+  read.grid = readStep(read.reader, data.time, needsFraction);
+  read.lie = extentOf(read.grid);
+  if (!data.exaggeration)
+  {
+    const double factor = exaggerationOf(read.lie);
+    read.reader->SetVerticalExaggeration(factor);
+    read.reader->Update();
+    Messages::throwIfError(data.file);
+    Messages::takeWarnings(); // they are those of the first reading
+    read.lie = extentOf(read.grid);
+  }
+  if (read.grid->GetNumberOfCells() == 0 || read.grid->GetDataDimension() < 3)
+  {
+    throw Failure(data.file + ": has one column or one level only; a picture needs two each way");
+  }
+  progress.forget();
+  return read;
+}
+
+BuiltScene buildScene(const Scene& scene, vtkStructuredGrid* grid, const Extent& lie,
+  bool addGround, Progress& progress)
+{
+  Builder builder(scene, grid, lie, progress);
+  builder.lay(addGround);
   for (const Body& body : scene.bodies)
   {
     std::visit(builder, body);
@@ -297,5 +309,15 @@ BuiltScene buildScene(const Scene& scene, bool addGround, Progress& progress)
     std::visit(builder, medium);
   }
   return builder.finish();
+}
+
+BuiltScene buildScene(const Scene& scene, bool addGround, Progress& progress)
+{
+  Stopwatch clock;
+  const SceneData data = readData(scene, progress);
+  const double readSeconds = clock.lap();
+  BuiltScene built = buildScene(scene, data.grid, data.lie, addGround, progress);
+  built.readSeconds = readSeconds;
+  return built;
 }
 }

@@ -7,11 +7,14 @@
 #define SceneBuilder_h
 
 #include "Scene.h"
+#include "SceneView.h"
 
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
+class vtkCloudNetCDFReader;
 class vtkCloudscape;
+class vtkStructuredGrid;
 
 namespace nephoscope::program
 {
@@ -25,6 +28,21 @@ struct BuiltScene
   vtkIdType cells = 0;     ///< of the grid
   vtkIdType triangles = 0; ///< of all surfaces
 };
+
+/// The data of a scene at its time, and how they lie.
+struct SceneData
+{
+  vtkSmartPointer<vtkCloudNetCDFReader> reader; ///< as the scene wants it; its output is the grid
+  vtkSmartPointer<vtkStructuredGrid> grid;
+  Extent lie;
+};
+
+/// @throw Failure for data that cannot be read or drawn
+SceneData readData(const Scene& scene, Progress& progress);
+
+/// A picture of a grid that has been read. @param lie may be that of another time, so that the view does not depend on clouds
+BuiltScene buildScene(const Scene& scene, vtkStructuredGrid* grid, const Extent& lie,
+  bool addGround, Progress& progress);
 
 /**
  * Read the data, make the bodies' inputs and put the picture together.

@@ -70,6 +70,14 @@ void assign(const Place& place, const Key& key, int& value)
   value = static_cast<int>(number);
 }
 
+void assign(const Place& place, const Key& key, bool& value)
+{
+  if (!place.Node.IsScalar() || !YAML::convert<bool>::decode(place.Node, value))
+  {
+    place.fail(inQuotes(key.name) + " must be true or false");
+  }
+}
+
 void assign(const Place& place, const Key& key, std::string& value)
 {
   if (!place.Node.IsScalar() || place.Node.Scalar().empty())
@@ -211,12 +219,21 @@ Part readTyped(const Place& place, const std::string& what)
   return read;
 }
 
+template <>
+Keyframe readTyped(const Place& place, const std::string& what)
+{
+  Keyframe frame;
+  readMapping(place, what, frame);
+  return frame;
+}
+
 template <class Part>
 void readList(const Place& place, const std::string& what, std::vector<Part>& parts)
 {
   if (!place.Node.IsSequence())
   {
-    place.fail(inQuotes(what) + " must be a list, each part beginning with '- type: '");
+    place.fail(inQuotes(what) + " must be a list, each part beginning with '- " +
+      (std::is_same_v<Part, Keyframe> ? "at: '" : "type: '"));
   }
   for (const auto& node : place.Node)
   {
@@ -254,6 +271,14 @@ Scene readSections(const Place& place)
 const char* typeName(const std::string&)
 {
   return "text";
+}
+const char* typeName(bool)
+{
+  return "true or false";
+}
+const char* typeName(int)
+{
+  return "number";
 }
 const char* typeName(double)
 {
@@ -350,13 +375,23 @@ std::string sceneReference()
     },
     [&out](const char* section, auto& parts)
     {
-      out << "\n## " << section << "\n\nA list; each part begins with its `type`.\n";
-      visitTypes(parts.data(),
-        [&out](const char* type, const char* meaning, auto part)
-        {
-          out << "\n### " << type << "\n\n" << meaning << "\n";
-          describe(out, part);
-        });
+      out << "\n## " << section << "\n";
+      if constexpr (std::is_same_v<decltype(parts), std::vector<Keyframe>&>)
+      {
+        out << "\nA list in rising order of `at`.\n";
+        describe(out, Keyframe());
+        return;
+      }
+      else
+      {
+        out << "\nA list; each part begins with its `type`.\n";
+        visitTypes(parts.data(),
+          [&out](const char* type, const char* meaning, auto part)
+          {
+            out << "\n### " << type << "\n\n" << meaning << "\n";
+            describe(out, part);
+          });
+      }
     });
   return out.str();
 }

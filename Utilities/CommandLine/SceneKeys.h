@@ -93,6 +93,29 @@ void visitKeys(Light& light, Visitor&& visit)
 }
 
 template <class Visitor>
+void visitKeys(Animation& animation, Visitor&& visit)
+{
+  visit(Key{ "motion", "", "between keyframes: with a steady speed, or without a jerk", "smooth",
+          {}, {}, { "smooth", "linear" } },
+    animation.motion);
+}
+
+template <class Visitor>
+void visitKeys(Keyframe& frame, Visitor&& visit)
+{
+  visit(Key{ "at", "1", "moment: 0 is the first frame, 1 the last", "0", 0, 1 }, frame.at);
+  visit(Key{ "longitude", "degrees", "as in camera", "runs on", -720, 720 }, frame.longitude);
+  visit(Key{ "latitude", "degrees", "as in camera", "runs on", -90, 90 }, frame.latitude);
+  visit(Key{ "bearing", "degrees", "as in camera", "runs on", -720, 720 }, frame.bearing);
+  visit(Key{ "elevation", "degrees", "as in camera", "runs on", -90, 90 }, frame.elevation);
+  visit(Key{ "distance", "1", "as in camera", "runs on", 1e-3, 1e6 }, frame.distance);
+  visit(Key{ "viewAngle", "degrees", "as in camera", "runs on", 0.01, 170 }, frame.viewAngle);
+  visit(Key{ "position", "scene units", "as in camera", "runs on" }, frame.position);
+  visit(Key{ "target", "scene units", "as in camera", "runs on" }, frame.target);
+  visit(Key{ "towardSun", "", "as in light", "runs on" }, frame.towardSun);
+}
+
+template <class Visitor>
 void visitKeys(Backdrop& backdrop, Visitor&& visit)
 {
   visit(Key{ "zenith", "linear RGB", "radiance overhead", "by geometry", 0, 1e6 }, backdrop.zenith);
@@ -130,6 +153,7 @@ void visitKeys(TextureBody& body, Visitor&& visit)
     Key{ "range", "1", "D: from clear to opaque; large is soft", "0.35", 1e-6, 10 }, body.range);
   visit(
     Key{ "seed", "", "makes textures with equal parameters different", "1", 0, 1e9 }, body.seed);
+  visit(Key{ "advect", "", "in an animation, carried by the data's wind", "true" }, body.advect);
 }
 
 template <class Visitor>
@@ -211,6 +235,8 @@ void visitSections(Scene& scene, Mapping&& mapping, List&& list)
   mapping("camera", scene.camera);
   mapping("light", scene.light);
   mapping("backdrop", scene.backdrop);
+  mapping("animation", scene.animation);
+  list("keyframes", scene.keyframes);
   list("bodies", scene.bodies);
   list("media", scene.media);
 }

@@ -80,6 +80,7 @@ int program(int argc, char** argv)
   addInfo(app);
   addConvert(app);
   addRender(app);
+  addAnimate(app);
   addChart(app);
   const int code = run(app, argc, argv);
   std::cout.flush();

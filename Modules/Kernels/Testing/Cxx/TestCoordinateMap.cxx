@@ -242,3 +242,43 @@ TEST(CoordinateMap, RotatedGlobeIsNotStretched)
       EXPECT_NEAR(stretch.smallest, 1, 1e-4);
     });
 }
+
+TEST(CoordinateMap, RowsAtThePolesAreNeitherStretchedNorStrained)
+{
+  // Columns of these rows coincide, but for rounding; so do their winds and coordinates.
+  std::vector<double> longitudes;
+  std::vector<double> latitudes;
+  for (int i = 0; i <= 24; ++i)
+  {
+    longitudes.push_back(i * 2 * Pi / 24);
+  }
+  for (int j = 0; j <= 12; ++j)
+  {
+    latitudes.push_back((j - 6) * Pi / 12);
+  }
+  const Air air(
+    ColumnGrid::sphere(longitudes, latitudes), 1, [](const Vector3& p) { return spin(0.7, p); },
+    [](const Vector3&, int) { return 0.0; });
+  std::vector<float> c;
+  std::vector<float> wind;
+  int n = 0;
+  air.forEach(
+    [&](int i, int j, int)
+    {
+      // A hundredth of a metre a second and a metre of noise.
+      const float noise = 0.01F * static_cast<float>(n++ % 7 - 3);
+      const Vector3 p = air.grid.position(i, j);
+      const Vector3 v = spin(0.7, p);
+      for (int d = 0; d < 3; ++d)
+      {
+        c.push_back(static_cast<float>(Radius * p[d]) + 100 * noise);
+        wind.push_back(static_cast<float>(v[d]) + noise);
+      }
+    });
+  air.forEach([&](int i, int j, int k)
+    { EXPECT_NEAR(stretchAt(air.motion, c.data(), i, j, k).largest, 1, 1e-3); });
+  double speed = 0;
+  double strain = 0;
+  measureWind(air.grid, 1, Radius, wind.data(), speed, strain);
+  EXPECT_LT(strain, 3 * speed / Radius);
+}
