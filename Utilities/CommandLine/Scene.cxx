@@ -59,5 +59,9 @@ void validate(const Scene& scene, const std::string& name)
   }
   requireDirection(scene.camera.up, name + ": camera: 'up'");
   requireDirection(scene.light.towardSun, name + ": light: 'towardSun'");
+  for (const Keyframe& frame : scene.keyframes)
+  {
+    requireDirection(frame.towardSun, name + ": keyframes: 'towardSun'");
+  }
 }
 }

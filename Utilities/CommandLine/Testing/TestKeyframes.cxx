@@ -13,6 +13,7 @@ namespace
 Scene sceneOf(const std::string& motion)
 {
   return parseScene("animation: { motion: " + motion + R"( }
+data: { file: a.nc }
 camera: { latitude: 7 }
 keyframes:
   - { at: 0.2, longitude: 10, towardSun: [1, 0, 0] }
