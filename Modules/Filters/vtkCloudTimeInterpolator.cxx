@@ -75,7 +75,7 @@ std::vector<float> floatsOf(vtkDataArray* array)
 /// Each value linear in time; where one is not finite, that of the nearer time.
 vtkSmartPointer<vtkDataArray> faded(vtkDataArray* begin, vtkDataArray* end, double at)
 {
-  const auto result = vtk::TakeSmartPointer(begin->NewInstance());
+  auto result = vtk::TakeSmartPointer(begin->NewInstance());
   result->SetName(begin->GetName());
   const int components = begin->GetNumberOfComponents();
   result->SetNumberOfComponents(components);

@@ -69,7 +69,8 @@ struct vtkCloudNetCDFReader::Internals
         std::string known;
         for (int r = 0; r < static_cast<int>(Role::Count); ++r)
         {
-          known += (r ? ", " : "") + std::string(ruleOf(static_cast<Role>(r)).name);
+          known += r ? ", " : "";
+          known += ruleOf(static_cast<Role>(r)).name;
         }
         throw ReadError("role '" + name + "' is not known; the roles are " + known);
       }

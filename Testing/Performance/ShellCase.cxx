@@ -66,7 +66,10 @@ Place gridPlace(const Situation& s, vtkIdType point)
 {
   const vtkIdType nx = s.points[0];
   const vtkIdType ny = s.points[1];
-  return placeOnGrid(s, point % nx, point / nx % ny, point / (nx * ny));
+  const vtkIdType i = point % nx;
+  const vtkIdType j = point / nx % ny;
+  const vtkIdType k = point / (nx * ny);
+  return placeOnGrid(s, static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
 }
 
 vtkIdType numberOfPoints(const Situation& s)

@@ -149,7 +149,11 @@ public:
 
 private:
   int pixel(int index) const { return this->Stride / 2 + index * this->Stride; }
-  double indexOf(double pixels) const { return (pixels - 0.5 - this->pixel(0)) / this->Stride; }
+  double indexOf(double pixels) const
+  {
+    const int first = this->pixel(0);
+    return (pixels - 0.5 - first) / this->Stride;
+  }
 
   Camera View;
   int Stride;
