@@ -12,9 +12,9 @@ class CommandLine(ProgramTest):
     def test_help_has_examples_and_exit_codes(self):
         done = run("--help")
         self.assert_done(done)
-        for word in ("info", "convert", "render", "Examples:", "Exit codes"):
+        for word in ("info", "convert", "render", "animate", "Examples:", "Exit codes"):
             self.assertIn(word, done.stdout)
-        for command in ("info", "convert", "render"):
+        for command in ("info", "convert", "render", "animate"):
             self.assertIn("nephoscope " + command, run(command, "--help").stdout)
 
     def test_version(self):

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CloudArrays.h"
 #include "ErrorText.h"
+#include "vtkCloudTexture.h"
 #include "vtkCloudTextureAdvection.h"
 
+#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -341,6 +343,66 @@ TEST(CloudTextureAdvection, WorksWithoutTimeAndWithOneLevelOrColumn)
       ASSERT_TRUE(std::isfinite(c));
     }
     EXPECT_FALSE(values(filter, First).empty()) << shape;
+  }
+}
+
+TEST(CloudTextureAdvection, CloudsThatAreSeenMoveWithTheWind)
+{
+  // Opacity along rows near the equator six hours apart, while textures cross-fade: the shift of greatest correlation.
+  vtkNew<Atmosphere> air;
+  air->Size[0] = 129;
+  air->Size[1] = 64;
+  air->Wind = [](const double p[3], double, double wind[3])
+  {
+    const double omega = 2 * Pi / (12 * 24 * Hour);
+    wind[0] = -omega * p[1];
+    wind[1] = omega * p[0];
+    wind[2] = 0;
+  };
+  vtkNew<vtkCloudTextureAdvection> advection;
+  advection->SetInputConnection(air->GetOutputPort());
+  advection->SetRestartPeriod(24 * Hour);
+  vtkNew<vtkCloudTexture> texture;
+  texture->SetInputConnection(advection->GetOutputPort());
+  texture->SetWavelength(6e6);
+  texture->SetOctaves(3);
+  const auto opacityAt = [&texture](double time)
+  {
+    texture->UpdateTimeStep(time);
+    return vtkFloatArray::SafeDownCast(vtkDataSet::SafeDownCast(texture->GetOutputDataObject(0))
+                                         ->GetPointData()
+                                         ->GetArray(nephoscope::arrays::Opacity));
+  };
+  for (const double begin : { 1.0, 5.5, 11.0 })
+  {
+    vtkNew<vtkFloatArray> first;
+    first->DeepCopy(opacityAt(begin * Hour));
+    vtkFloatArray* const second = opacityAt((begin + 6) * Hour);
+    const auto difference = [&first, second](int shift)
+    {
+      double sum = 0;
+      for (int j = 24; j < 40; ++j)
+      {
+        for (int i = 0; i < 128; ++i)
+        {
+          const double d =
+            first->GetValue(i + 129 * j) - second->GetValue((i + shift + 128) % 128 + 129 * j);
+          sum += d * d;
+        }
+      }
+      return sum;
+    };
+    int best = 0;
+    for (int shift = -20; shift <= 20; ++shift)
+    {
+      best = difference(shift) < difference(best) ? shift : best;
+    }
+    const double a = difference(best - 1);
+    const double b = difference(best);
+    const double c = difference(best + 1);
+    const double shift = best + 0.5 * (a - c) / (a - 2 * b + c);
+    const double expected = 128.0 * 6 / (12 * 24);
+    EXPECT_NEAR(shift, expected, 0.1 * expected) << begin;
   }
 }
 
