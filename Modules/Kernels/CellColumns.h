@@ -12,9 +12,7 @@
 #ifndef CellColumns_h
 #define CellColumns_h
 
-#include "DeepTile.h"
-#include "Segment.h"
-#include "TetrahedronRays.h"
+#include "TetrahedronScan.h"
 #include "Vector3.h"
 
 #include <array>
@@ -24,17 +22,6 @@
 
 namespace nephoscope
 {
-/// Pixels [x0, x1) x [y0, y1); empty where x0 >= x1 or y0 >= y1.
-struct PixelBox
-{
-  int x0 = 0;
-  int y0 = 0;
-  int x1 = 0;
-  int y1 = 0;
-  double nearest = 0; ///< no depth in it is less
-  bool empty() const { return this->x0 >= this->x1 || this->y0 >= this->y1; }
-};
-
 /**
  * @brief What does not depend on the camera: points and extinctions, with the points of a vertical line next to each other.
  *
@@ -48,6 +35,7 @@ struct CellColumns
   int parity = 0;                  ///< splitParity of the first cell
   std::vector<Vector3> points;     ///< [(j nx + i) nz + k], scene units
   std::vector<float> extinction;   ///< like points, per scene unit, usableExtinction or NaN
+  std::vector<RGB> color;          ///< like points, linear RGB; empty if the cloud has one colour
   std::vector<std::uint8_t> drawn; ///< [column (nz-1) + k]: whether the cell is not empty
   std::vector<int> first;          ///< [column]: lowest drawn cell
   std::vector<int> last; ///< [column]: one above the highest drawn cell; first if there is none
@@ -63,33 +51,6 @@ struct CellColumns
   void classify(std::size_t column);
 };
 
-/// The rays of a tile's pixels.
-class TileRays
-{
-public:
-  TileRays(const RaySpace& space, const DeepTile& tile);
-
-  struct Pixel
-  {
-    double stretch; ///< distance along the ray per depth
-    double limit;   ///< depth of what is opaque
-  };
-  const TileExtent& extent() const { return this->Extent; }
-  const Pixel& pixel(int x, int y) const
-  {
-    return this->Pixels[static_cast<std::size_t>(y - this->Extent.y0) * this->Extent.width +
-      (x - this->Extent.x0)];
-  }
-  const double* u() const { return this->U.data(); } ///< of the pixels of a row
-  double limit() const { return this->Limit; }       ///< the greatest of the pixels'
-
-private:
-  TileExtent Extent;
-  std::vector<Pixel> Pixels;
-  std::vector<double> U;
-  double Limit = 0;
-};
-
 /// One column as a camera sees it. Make one for each thread and turn it to column after column.
 class ColumnRays
 {
@@ -103,42 +64,28 @@ public:
   /// The pixels that its drawn cells may touch.
   PixelBox box() const;
 
-  /// Add its segments to the tile. The source is one of DeepTile::addSource, kappa of Max 1994 eq. 5-7.
+  /// Add its segments to the tile. The source is one of DeepTile::addSource, kappa of Max 1994 eq. 5-7, for a cloud of one
+  /// colour.
   void emit(DeepTile& tile, const TileRays& rays, std::uint32_t source) const;
 
 private:
-  struct Corner
-  {
-    Vector3 q; ///< in ray space
-    double x;  ///< image coordinates; 0 if not in front of the eye
-    double y;
-  };
   struct Cell
   {
-    const Corner* corner[8]; ///< by bit pattern
+    const RayCorner* corner[8]; ///< by bit pattern
     float extinction[8];
+    const RGB* color[8]; ///< null if there is one colour
   };
-  struct Bounds;
 
   Cell cell(int k) const;
-  template <std::size_t N>
-  Bounds bounds(const Corner* const (&corners)[N]) const;
-  Bounds boundsAtEye(const Corner* const* corners, std::size_t n) const;
-  static PixelBox pixels(const Bounds& bounds, const TileExtent& within);
   template <bool Parallel>
   void emitCells(DeepTile& tile, const TileRays& rays, std::uint32_t source) const;
-  template <bool Parallel>
-  void emitTetrahedron(DeepTile& tile, const TileRays& rays, std::uint32_t source, const Cell& cell,
-    const std::array<std::uint8_t, 4>& vertices) const;
 
   const CellColumns& Columns;
-  RaySpace Space;
-  int Width;
-  int Height;
+  TetrahedronScan Scan;
   std::size_t Column = 0;
-  int Parity = 0;              ///< of the column's lowest cell
-  std::size_t Lines[4] = {};   ///< first points of its vertical lines
-  std::vector<Corner> Corners; ///< [line nz + k]
+  int Parity = 0;                 ///< of the column's lowest cell
+  std::size_t Lines[4] = {};      ///< first points of its vertical lines
+  std::vector<RayCorner> Corners; ///< [line nz + k]
 };
 }
 #endif

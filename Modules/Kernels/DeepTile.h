@@ -96,6 +96,13 @@ public:
   /// No segment beyond this distance along the pixel's ray can be seen (infinity if nothing opaque is known yet).
   double opaqueAt(int x, int y) const { return this->OpaqueAt[this->index(x, y)]; }
 
+  /// Something opaque that is not this tile's to draw stands there: what lies beyond is not kept.
+  void hideBeyond(int x, int y, double distance)
+  {
+    double& hidden = this->OpaqueAt[this->index(x, y)];
+    hidden = distance < hidden ? distance : hidden;
+  }
+
   std::size_t numberOfSegments() const { return this->Segments.size() + this->NumberOfPieces; }
 
   /// Composite every pixel; light[(y - y0) * width + (x - x0)] on return.

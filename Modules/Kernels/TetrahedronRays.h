@@ -93,6 +93,64 @@ struct RayPiece
 };
 
 /**
+ * The inward or outward normals of a tetrahedron's faces; normals[i] belongs to the face opposite vertex i.
+ * @return det, six times the signed volume; a normal's value at its vertex is det times -1, 1, -1, 1
+ */
+inline double faceNormals(const Vector3* const (&q)[4], Vector3 (&normals)[4])
+{
+  const Vector3 e1 = *q[1] - *q[0];
+  const Vector3 e2 = *q[2] - *q[0];
+  const Vector3 e3 = *q[3] - *q[0];
+  normals[0] = cross(*q[2] - *q[1], *q[3] - *q[1]);
+  normals[1] = cross(e2, e3);
+  normals[2] = cross(e1, e3);
+  normals[3] = cross(e1, e2);
+  return dot(normals[3], e3);
+}
+
+/// What is linear in a tetrahedron, along the rays of a camera; never beyond its values at the vertices.
+class RayField
+{
+public:
+  /// @param q vertices in ray space, not in a plane, @param s values there
+  void set(const Vector3* const (&q)[4], const float (&s)[4], bool parallel)
+  {
+    Vector3 normals[4];
+    const double det = faceNormals(q, normals);
+    this->set(normals, det, *q[0], s, parallel);
+  }
+
+  /// s = s_0 + sum (s_i - s_0) lambda_i along the ray, as Fixed + Varying(u, v) z or Varying(u, v) + Fixed z.
+  void set(
+    const Vector3 (&normals)[4], double det, const Vector3& q0, const float (&s)[4], bool parallel)
+  {
+    this->Least = std::min({ s[0], s[1], s[2], s[3] });
+    this->Greatest = std::max({ s[0], s[1], s[2], s[3] });
+    const double s0 = s[0];
+    const Vector3 gradient = ((s[1] - s0) / det) * normals[1] + ((s0 - s[2]) / det) * normals[2] +
+      ((s[3] - s0) / det) * normals[3];
+    const double atEye = s0 - dot(gradient, q0);
+    this->Fixed = parallel ? gradient[2] : atEye;
+    this->Varying = { gradient[0], gradient[1], parallel ? atEye : gradient[2] };
+  }
+
+  /// The value at a depth on a ray.
+  template <bool Parallel>
+  double at(double u, double v, double depth) const
+  {
+    const double varying = this->Varying.at(u, v);
+    const double s = Parallel ? varying + this->Fixed * depth : this->Fixed + varying * depth;
+    return std::max(this->Least, std::min(s, this->Greatest));
+  }
+
+private:
+  PixelLinear Varying;
+  double Fixed;
+  double Least;
+  double Greatest;
+};
+
+/**
  * @brief A tetrahedron as the rays of a camera meet it.
  *
  * Densities are >= 0 and finite. What rounding makes of slivers stays bounded: depths lie within those of the vertices,
@@ -111,13 +169,8 @@ public:
   {
     this->Nearest = std::min({ (*q[0])[2], (*q[1])[2], (*q[2])[2], (*q[3])[2] });
     this->Farthest = std::max({ (*q[0])[2], (*q[1])[2], (*q[2])[2], (*q[3])[2] });
-    const Vector3 e1 = *q[1] - *q[0];
-    const Vector3 e2 = *q[2] - *q[0];
-    const Vector3 e3 = *q[3] - *q[0];
-    // normals[i] belongs to the face opposite vertex i; its value at that vertex is det times -1, 1, -1, 1.
-    const Vector3 normals[4] = { cross(*q[2] - *q[1], *q[3] - *q[1]), cross(e2, e3), cross(e1, e3),
-      cross(e1, e2) };
-    const double det = dot(normals[3], e3);
+    Vector3 normals[4];
+    const double det = faceNormals(q, normals);
     if (!(std::abs(det) > 0 && std::abs(det) < std::numeric_limits<double>::infinity()) ||
       !(this->Farthest > 0))
     {
@@ -131,7 +184,7 @@ public:
     this->addPlane(normals[1], *q[0], -side, parallel);
     this->addPlane(normals[2], *q[0], side, parallel);
     this->addPlane(normals[3], *q[0], -side, parallel);
-    this->setDensity(normals, det, *q[0], s, parallel);
+    this->Density.set(normals, det, *q[0], s, parallel);
     return this->Leaves > 0; // what has no far side is flat to within rounding
   }
 
@@ -160,9 +213,7 @@ public:
   template <bool Parallel>
   double density(double u, double v, double depth) const
   {
-    const double varying = this->Varying.at(u, v);
-    const double s = Parallel ? varying + this->Fixed * depth : this->Fixed + varying * depth;
-    return std::max(this->Thinnest, std::min(s, this->Densest));
+    return this->Density.at<Parallel>(u, v, depth);
   }
 
 private:
@@ -209,29 +260,12 @@ private:
     this->Planes[divisor * outward > 0 ? 3 - this->Leaves++ : this->Enters++] = k;
   }
 
-  /// s = s_0 + sum (s_i - s_0) lambda_i along the ray, as Fixed + Varying(u, v) z or Varying(u, v) + Fixed z.
-  void setDensity(
-    const Vector3 (&normals)[4], double det, const Vector3& q0, const float (&s)[4], bool parallel)
-  {
-    this->Thinnest = std::min({ s[0], s[1], s[2], s[3] });
-    this->Densest = std::max({ s[0], s[1], s[2], s[3] });
-    const double s0 = s[0];
-    const Vector3 gradient = ((s[1] - s0) / det) * normals[1] + ((s0 - s[2]) / det) * normals[2] +
-      ((s[3] - s0) / det) * normals[3];
-    const double atEye = s0 - dot(gradient, q0);
-    this->Fixed = parallel ? gradient[2] : atEye;
-    this->Varying = { gradient[0], gradient[1], parallel ? atEye : gradient[2] };
-  }
-
   PixelLinear Planes[4]; ///< those that rays enter by first, then those they leave by
   int Enters = 0;
   int Leaves = 0;
-  PixelLinear Varying;
-  double Fixed;
+  RayField Density;
   double Nearest;
   double Farthest;
-  double Thinnest;
-  double Densest;
 };
 }
 #endif

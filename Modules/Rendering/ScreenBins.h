@@ -8,7 +8,7 @@
 #ifndef ScreenBins_h
 #define ScreenBins_h
 
-#include "CellColumns.h" // for PixelBox
+#include "TetrahedronScan.h" // for PixelBox
 #include "vtkType.h"
 
 #include <cstddef>

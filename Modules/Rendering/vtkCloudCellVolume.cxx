@@ -6,19 +6,15 @@
 #include "CloudArrays.h"
 #include "Optics.h"
 #include "ScreenBins.h"
-#include "TetrahedralSplit.h"
+#include "StructuredColumns.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
-#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkRectilinearGrid.h"
-#include "vtkSMPTools.h"
-#include "vtkStructuredGrid.h"
-#include "vtkUnsignedCharArray.h"
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -26,28 +22,6 @@ vtkStandardNewMacro(vtkCloudCellVolume);
 
 namespace
 {
-/// The extent of whatever has one.
-bool extentOf(vtkDataSet* grid, int extent[6])
-{
-  if (auto* const curvilinear = vtkStructuredGrid::SafeDownCast(grid))
-  {
-    curvilinear->GetExtent(extent);
-  }
-  else if (auto* const rectilinear = vtkRectilinearGrid::SafeDownCast(grid))
-  {
-    rectilinear->GetExtent(extent);
-  }
-  else if (auto* const image = vtkImageData::SafeDownCast(grid))
-  {
-    image->GetExtent(extent);
-  }
-  else
-  {
-    return false;
-  }
-  return true;
-}
-
 std::string namesOfArrays(vtkDataSet* grid)
 {
   std::string names;
@@ -106,43 +80,6 @@ struct vtkCloudCellVolume::ExtinctionAtPoint
     return nephoscope::usableExtinction(this->Scale * sigma);
   }
 };
-
-namespace
-{
-/// Copies one row of columns' points, each line's next to each other.
-template <class Extinction>
-void copyPoints(nephoscope::CellColumns& columns, vtkDataSet* grid, const Extinction& extinction,
-  vtkUnsignedCharArray* ghosts, vtkIdType row)
-{
-  for (int k = 0; k < columns.nz; ++k)
-  {
-    for (int i = 0; i < columns.nx; ++i)
-    {
-      const vtkIdType from = (static_cast<vtkIdType>(k) * columns.ny + row) * columns.nx + i;
-      const std::size_t to = (static_cast<std::size_t>(row) * columns.nx + i) * columns.nz + k;
-      grid->GetPoint(from, columns.points[to].v);
-      const bool hidden = ghosts && (ghosts->GetValue(from) & vtkDataSetAttributes::HIDDENPOINT);
-      columns.extinction[to] = hidden ? std::nanf("") : extinction(from);
-    }
-  }
-}
-
-/// Marks the cells that are blanked or another piece's.
-void markHidden(nephoscope::CellColumns& columns, vtkUnsignedCharArray* ghosts, vtkIdType column)
-{
-  const vtkIdType levels = columns.nz - 1;
-  const auto all = static_cast<vtkIdType>(columns.numberOfColumns());
-  for (vtkIdType k = 0; k < levels; ++k)
-  {
-    columns.drawn[column * levels + k] =
-      (ghosts->GetValue(k * all + column) &
-        (vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL |
-          vtkDataSetAttributes::REFINEDCELL))
-      ? 0
-      : 1;
-  }
-}
-}
 
 struct vtkCloudCellVolume::Internals
 {
@@ -247,8 +184,7 @@ bool vtkCloudCellVolume::ReadGrid()
                                      "vtkImageData.");
     return false;
   }
-  const int size[3] = { extent[1] - extent[0] + 1, extent[3] - extent[2] + 1,
-    extent[5] - extent[4] + 1 };
+  const std::array<int, 3> size = pointsIn(extent);
   if (size[0] < 2 || size[1] < 2 || size[2] < 2)
   {
     vtkErrorMacro("The grid of " << size[0] << " x " << size[1] << " x " << size[2]
@@ -268,31 +204,7 @@ bool vtkCloudCellVolume::ReadGrid()
   {
     return false;
   }
-  nephoscope::CellColumns& columns = this->Data->Columns;
-  columns.resize(size[0], size[1], size[2]);
-  columns.parity = nephoscope::splitParity(extent[0], extent[2], extent[4]);
-  vtkUnsignedCharArray* const pointGhosts = grid->GetPointGhostArray();
-  vtkUnsignedCharArray* const ghosts = grid->GetCellGhostArray();
-  vtkSMPTools::For(0, columns.ny, 1,
-    [&columns, grid, &extinction, pointGhosts](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType row = begin; row < end; ++row)
-      {
-        copyPoints(columns, grid, extinction, pointGhosts, row);
-      }
-    });
-  vtkSMPTools::For(0, static_cast<vtkIdType>(columns.numberOfColumns()), 256,
-    [&columns, ghosts](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType column = begin; column < end; ++column)
-      {
-        if (ghosts)
-        {
-          markHidden(columns, ghosts, column);
-        }
-        columns.classify(column);
-      }
-    });
+  fillColumns(this->Data->Columns, grid, extent, extinction);
   return true;
 }
 

@@ -4,9 +4,12 @@ find_package(GTest REQUIRED)
 include(GoogleTest)
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
-# nephoscope_add_test(NAME LABEL label SOURCES s... DEPENDS targets...): one GoogleTest program, one CTest entry.
+# nephoscope_add_test(NAME LABEL label SOURCES s... DEPENDS targets... [WINDOW]): one GoogleTest program, one CTest entry.
+# WINDOW: it opens windows, on a display of its own; without xvfb-run it is skipped.
+find_program(Nephoscope_XVFB_RUN xvfb-run)
+mark_as_advanced(Nephoscope_XVFB_RUN)
 function (nephoscope_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 test "" "LABEL;TIMEOUT" "SOURCES;DEPENDS")
+  cmake_parse_arguments(PARSE_ARGV 1 test "WINDOW" "LABEL;TIMEOUT" "SOURCES;DEPENDS")
   if (NOT test_TIMEOUT)
     set(test_TIMEOUT 300)
   endif ()
@@ -16,7 +19,15 @@ function (nephoscope_add_test name)
     NEPHOSCOPE_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     NEPHOSCOPE_SHARED_DATA_DIR="${PROJECT_SOURCE_DIR}/../shared/data")
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
-  add_test(NAME ${name} COMMAND ${name})
+  if (NOT test_WINDOW)
+    add_test(NAME ${name} COMMAND ${name})
+  elseif (Nephoscope_XVFB_RUN)
+    add_test(NAME ${name}
+      COMMAND "${Nephoscope_XVFB_RUN}" -a -s "-screen 0 1280x1024x24" $<TARGET_FILE:${name}>)
+  else ()
+    add_test(NAME ${name} COMMAND "${CMAKE_COMMAND}" -E echo "Skipped: no xvfb-run, install xvfb")
+    set_tests_properties(${name} PROPERTIES SKIP_REGULAR_EXPRESSION "Skipped: no xvfb-run")
+  endif ()
   set_tests_properties(${name} PROPERTIES LABELS "${test_LABEL}" TIMEOUT ${test_TIMEOUT})
 endfunction ()
 
