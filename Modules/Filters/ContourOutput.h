@@ -23,41 +23,59 @@
 
 namespace nephoscope
 {
-struct ContourOutput
+/// The arrays that a contour makes.
+struct ContourArrays
 {
   vtkSmartPointer<vtkDataArray> Points;
   vtkSmartPointer<vtkFloatArray> Normals;
   vtkSmartPointer<vtkDataArray> Field;
   vtkSmartPointer<vtkDataArray> Connectivity;
   vtkSmartPointer<vtkDataArray> Offsets;
+};
+
+/// Its arrays start as those of the output before, whose memory is used again where nobody else holds them.
+struct ContourOutput : ContourArrays
+{
+  explicit ContourOutput(const ContourArrays& before)
+    : ContourArrays(before)
+  {
+  }
   ArrayList Others;
 };
 
+/// The array again if it is of this type, held by one other (who kept it for this), large enough and not more than twice as large; else a new one.
 template <class ArrayType>
-vtkSmartPointer<ArrayType> newArray(int components, vtkIdType tuples)
+vtkSmartPointer<ArrayType> sizedArray(vtkDataArray* before, int components, vtkIdType tuples)
 {
-  auto array = vtkSmartPointer<ArrayType>::New();
+  const vtkIdType size = components * tuples;
+  auto* same = ArrayType::SafeDownCast(before);
+  const bool fits = same && same->GetReferenceCount() <= 2 && same->GetSize() >= size &&
+    same->GetSize() / 2 <= size;
+  auto array = fits ? vtkSmartPointer<ArrayType>(same) : vtkSmartPointer<ArrayType>::New();
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(tuples);
+  array->Modified();
   return array;
 }
 
-inline vtkSmartPointer<vtkDataArray> newRealArray(bool isDouble, int components, vtkIdType tuples)
+inline vtkSmartPointer<vtkDataArray> sizedRealArray(
+  bool isDouble, vtkDataArray* before, int components, vtkIdType tuples)
 {
   if (isDouble)
   {
-    return newArray<vtkDoubleArray>(components, tuples);
+    return sizedArray<vtkDoubleArray>(before, components, tuples);
   }
-  return newArray<vtkFloatArray>(components, tuples);
+  return sizedArray<vtkFloatArray>(before, components, tuples);
 }
 
-inline vtkSmartPointer<vtkDataArray> newIdArray(bool isLong, vtkIdType tuples)
+inline vtkSmartPointer<vtkDataArray> sizedIdArray(
+  bool isLong, vtkDataArray* before, vtkIdType tuples)
 {
   if (isLong)
   {
-    return newArray<vtkTypeInt64Array>(1, tuples);
+    return sizedArray<vtkTypeInt64Array>(before, 1, tuples);
   }
-  return newArray<vtkTypeInt32Array>(1, tuples);
+  return sizedArray<vtkTypeInt32Array>(before, 1, tuples);
 }
 
 inline void allocate(ContourOutput& out, vtkDataSet* input, vtkPolyData* output,
@@ -75,19 +93,23 @@ inline void allocate(ContourOutput& out, vtkDataSet* input, vtkPolyData* output,
   out.Others.ExcludeArray(field);
   out.Others.AddArrays(vertices, in, attributes);
 
-  out.Points = newRealArray(doublePoints, 3, vertices);
-  out.Field = newRealArray(field->GetDataType() == VTK_DOUBLE, 1, vertices);
+  out.Points = sizedRealArray(doublePoints, out.Points, 3, vertices);
+  out.Field = sizedRealArray(field->GetDataType() == VTK_DOUBLE, out.Field, 1, vertices);
   out.Field->SetName(field->GetName());
   attributes->SetScalars(out.Field);
   if (normals)
   {
-    out.Normals = newArray<vtkFloatArray>(3, vertices);
+    out.Normals = sizedArray<vtkFloatArray>(out.Normals, 3, vertices);
     out.Normals->SetName("Normals");
     attributes->SetNormals(out.Normals);
   }
+  else
+  {
+    out.Normals = nullptr;
+  }
   const bool isLong = 3 * triangles > std::numeric_limits<vtkTypeInt32>::max();
-  out.Connectivity = newIdArray(isLong, 3 * triangles);
-  out.Offsets = newIdArray(isLong, triangles + 1);
+  out.Connectivity = sizedIdArray(isLong, out.Connectivity, 3 * triangles);
+  out.Offsets = sizedIdArray(isLong, out.Offsets, triangles + 1);
 }
 
 /// Calls write(connectivity, offsets) with pointers of the right type.
@@ -105,7 +127,7 @@ void withIds(ContourOutput& out, F&& write)
   }
 }
 
-inline void attach(ContourOutput& out, vtkPolyData* output)
+inline void attach(const ContourOutput& out, vtkPolyData* output)
 {
   const vtkIdType triangles = out.Offsets->GetNumberOfTuples() - 1;
   out.Offsets->SetComponent(triangles, 0, static_cast<double>(3 * triangles));

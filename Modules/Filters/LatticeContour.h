@@ -8,6 +8,7 @@
 
 #include "ContourOutput.h"
 #include "LatticeGrid.h"
+#include "LatticeRanges.h"
 #include "LatticeSurface.h"
 #include "TetrahedralContour.h"
 
@@ -47,12 +48,14 @@ template <class Points, class T>
 class LatticeContour
 {
 public:
-  LatticeContour(
-    vtkDataSet* input, const LatticeShape& shape, const Points& points, const T* values)
+  /// @param ranges of these values
+  LatticeContour(vtkDataSet* input, const LatticeShape& shape, const Points& points,
+    const T* values, const LatticeRanges<T>& ranges)
     : Input(input)
     , Shape(shape)
     , X(points)
     , Values(values)
+    , Ranges(ranges)
   {
   }
 
@@ -61,7 +64,7 @@ public:
   {
     vtkUnsignedCharArray* pointGhosts = this->Input->GetPointGhostArray();
     vtkUnsignedCharArray* cellGhosts = this->Input->GetCellGhostArray();
-    if (!pointGhosts && !cellGhosts && this->AllFinite())
+    if (!pointGhosts && !cellGhosts && this->Ranges.allFinite())
     {
       return;
     }
@@ -114,31 +117,42 @@ public:
     return true;
   }
 
-  void Count(double value)
+  /// For all contour values: what is read is read once.
+  void Count(const std::vector<double>& values)
   {
-    this->Levels.push_back(std::make_unique<ContourLevel>(this->Shape, this->Cells.get()));
-    this->LevelValues.push_back(value);
-    ContourLevel* level = this->Levels.back().get();
-    const T limit = threshold<T>(value);
+    this->LevelValues = values;
+    std::vector<T> limits;
+    for (double value : values)
+    {
+      this->Levels.push_back(std::make_unique<ContourLevel>(this->Shape, this->Cells.get()));
+      limits.push_back(threshold<T>(value));
+    }
     vtkSMPTools::For(0, this->Shape.rows(),
-      [this, level, limit](vtkIdType begin, vtkIdType end)
+      [this, &limits](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType row = begin; row < end; ++row)
         {
-          level->classify(row, this->Values + row * this->Shape.n[0], limit);
+          for (std::size_t l = 0; l < limits.size(); ++l)
+          {
+            this->Levels[l]->classify(row, this->Values + row * this->Shape.n[0], limits[l],
+              this->Ranges.least(row), this->Ranges.greatest(row));
+          }
         }
       });
-    vtkSMPTools::For(0, this->Shape.rows(),
-      [level](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType row = begin; row < end; ++row)
+    for (const auto& level : this->Levels)
+    {
+      vtkSMPTools::For(0, this->Shape.rows(),
+        [&level](vtkIdType begin, vtkIdType end)
         {
-          level->countRow(row);
-        }
-      });
-    level->accumulate();
-    this->Vertices += level->numberOfVertices();
-    this->Triangles += level->numberOfTriangles();
+          for (vtkIdType row = begin; row < end; ++row)
+          {
+            level->countRow(row);
+          }
+        });
+      level->accumulate();
+      this->Vertices += level->numberOfVertices();
+      this->Triangles += level->numberOfTriangles();
+    }
   }
 
   vtkIdType GetNumberOfVertices() const { return this->Vertices; }
@@ -162,23 +176,10 @@ public:
   }
 
 private:
-  bool AllFinite() const
-  {
-    // x * 0 is NaN for what is not finite; four sums so that the additions overlap.
-    T sums[4] = { 0, 0, 0, 0 };
-    const Index count = this->Shape.rows() * this->Shape.n[0];
-    for (Index n = 0; n < count; ++n)
-    {
-      sums[n % 4] += this->Values[n] * T(0);
-    }
-    return sums[0] + sums[1] + sums[2] + sums[3] == 0;
-  }
-
   void GenerateVertices(
     ContourOutput& out, const ContourLevel& level, double value, vtkIdType first)
   {
     using Real = typename Points::Real;
-    using Cache = GradientCache<Points, T>;
     const LatticeField<Points, T> field{ this->Shape, this->X, this->Values, this->Usable.get() };
     const SurfaceVertices<Real> vertices{
       ArrayOf<Real>::Type::SafeDownCast(out.Points)->GetPointer(3 * first),
@@ -189,21 +190,21 @@ private:
     {
       values = array->GetPointer(first);
     }
-    // Bands of rows along j over all k: gradients of a band's two levels stay in the cache.
+    // Bands of rows along j over all k: the gradients of a band's two levels stay in the processor's cache.
     const int band = this->Shape.n[1] >= 64 ? 8 : 2;
     const vtkIdType bands = (this->Shape.n[1] + band - 1) / band;
-    vtkSMPThreadLocal<Cache> caches;
+    vtkSMPThreadLocal<GradientRows> gradients;
     ArrayList& others = out.Others;
     vtkDataArray* slowValues = out.Field;
     vtkSMPTools::For(0, bands, 1,
-      [this, &field, &level, &caches, &vertices, &others, values, slowValues, value, first, band](
-        vtkIdType begin, vtkIdType end)
+      [this, &field, &level, &gradients, &vertices, &others, values, slowValues, value, first,
+        band](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType b = begin; b < end; ++b)
         {
           const int j0 = static_cast<int>(b) * band;
           writeVertices(field, level, value, j0, std::min(j0 + band, this->Shape.n[1]),
-            caches.Local(), vertices,
+            gradients.Local(), vertices,
             [&others, values, slowValues, value, first](Index id, Index from, Index to, double t)
             {
               others.InterpolateEdge(from, to, t, first + id);
@@ -230,14 +231,15 @@ private:
         for (vtkIdType row = begin; row < end; ++row)
         {
           vtkIdType triangle = firstTriangle + level.firstTriangle(row);
-          level.forEachTriangle(row,
-            [flip, firstVertex, ids, offsets, &triangle](Index a, Index b, Index c)
+          const Id first = static_cast<Id>(firstVertex);
+          level.template forEachTriangle<Id>(row,
+            [flip, first, ids, offsets, &triangle](Id a, Id b, Id c)
             {
               offsets[triangle] = static_cast<Id>(3 * triangle);
               Id* corner = ids + 3 * triangle++;
-              corner[0] = static_cast<Id>(firstVertex + a);
-              corner[1] = static_cast<Id>(firstVertex + (flip ? c : b));
-              corner[2] = static_cast<Id>(firstVertex + (flip ? b : c));
+              corner[0] = first + a;
+              corner[1] = first + (flip ? c : b);
+              corner[2] = first + (flip ? b : c);
             });
         }
       });
@@ -247,6 +249,7 @@ private:
   LatticeShape Shape;
   const Points& X;
   const T* Values;
+  const LatticeRanges<T>& Ranges;
   std::unique_ptr<LatticeBits> Usable; // points; null for all
   std::unique_ptr<LatticeBits> Cells;  // null for all
   std::vector<std::unique_ptr<ContourLevel>> Levels;

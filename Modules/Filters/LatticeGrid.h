@@ -6,6 +6,7 @@
 #ifndef LatticeGrid_h
 #define LatticeGrid_h
 
+#include "CurvilinearGradient.h"
 #include "TetrahedralContour.h"
 #include "Vector3.h"
 
@@ -32,10 +33,31 @@ struct CurvilinearPoints
   const T* Data;
   std::array<int, 3> N;
 
-  Vector3 operator()(int i, int j, int k) const
+  Vector3 operator()(int i, int j, int k) const { return this->row(j, k)(i); }
+
+  /// The points that share (j, k).
+  struct Row
   {
-    const T* x = this->Data + 3 * (i + this->N[0] * (j + Index(this->N[1]) * k));
-    return { static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2]) };
+    const T* X;
+    Vector3 operator()(Index i) const
+    {
+      const T* x = this->X + 3 * i;
+      return { static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2]) };
+    }
+  };
+  Row row(int j, int k) const
+  {
+    return { this->Data + 3 * this->N[0] * (j + Index(this->N[1]) * k) };
+  }
+
+  /// Where all six neighbours are. @param change of the field from one neighbour to the other, along i, j, k
+  Vector3 gradientInside(int i, int j, int k, const std::array<double, 3>& change) const
+  {
+    const Row x = this->row(j, k);
+    const Index toJ = this->N[0];
+    const Index toK = toJ * this->N[1];
+    return curvilinearGradient(
+      { x(i + 1) - x(i - 1), x(i + toJ) - x(i - toJ), x(i + toK) - x(i - toK) }, change);
   }
 };
 
@@ -47,11 +69,46 @@ struct ProductPoints
   std::array<Vector3, 3> Direction{ { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
   Vector3 Origin{ 0, 0, 0 };
 
-  Vector3 operator()(int i, int j, int k) const
+  Vector3 operator()(int i, int j, int k) const { return this->row(j, k)(i); }
+
+  struct Row
   {
-    return this->Origin + this->Axis[0][i] * this->Direction[0] +
-      this->Axis[1][j] * this->Direction[1] + this->Axis[2][k] * this->Direction[2];
+    Vector3 Start;
+    const double* Along;
+    Vector3 Direction;
+    Vector3 operator()(Index i) const { return this->Start + this->Along[i] * this->Direction; }
+  };
+  Row row(int j, int k) const
+  {
+    return { this->Origin + this->Axis[1][j] * this->Direction[1] +
+        this->Axis[2][k] * this->Direction[2],
+      this->Axis[0].data(), this->Direction[0] };
   }
+
+  /// The same gradient as of a curvilinear grid: where the directions are orthonormal each axis has its own.
+  Vector3 gradientInside(int i, int j, int k, const std::array<double, 3>& change) const
+  {
+    const double step[3] = { this->Axis[0][i + 1] - this->Axis[0][i - 1],
+      this->Axis[1][j + 1] - this->Axis[1][j - 1], this->Axis[2][k + 1] - this->Axis[2][k - 1] };
+    if (this->Orthonormal && step[0] != 0 && step[1] != 0 && step[2] != 0)
+    {
+      return (change[0] / step[0]) * this->Direction[0] +
+        (change[1] / step[1]) * this->Direction[1] + (change[2] / step[2]) * this->Direction[2];
+    }
+    return curvilinearGradient(
+      { step[0] * this->Direction[0], step[1] * this->Direction[1], step[2] * this->Direction[2] },
+      change);
+  }
+
+  void FindOrthonormal()
+  {
+    const auto& d = this->Direction;
+    const double error = std::abs(dot(d[0], d[1])) + std::abs(dot(d[1], d[2])) +
+      std::abs(dot(d[2], d[0])) + std::abs(dot(d[0], d[0]) - 1) + std::abs(dot(d[1], d[1]) - 1) +
+      std::abs(dot(d[2], d[2]) - 1);
+    this->Orthonormal = error < 1e-12;
+  }
+  bool Orthonormal = true;
 };
 
 inline ProductPoints productPoints(vtkRectilinearGrid* grid)
@@ -88,6 +145,7 @@ inline ProductPoints productPoints(vtkImageData* image)
       points.Axis[c].push_back(n * spacing[c]);
     }
   }
+  points.FindOrthonormal();
   return points;
 }
 

@@ -34,7 +34,7 @@ inline Vector3 outwardNormal(const Vector3& gradient, const Vector3& towardLower
   const double l = length(gradient);
   const double wrong = dot(gradient, towardLower);
   if (l > 0 && l <= std::numeric_limits<double>::max() &&
-    (wrong <= 0 || wrong <= 0.5 * l * length(towardLower)))
+    (wrong <= 0 || wrong * wrong <= 0.25 * l * l * dot(towardLower, towardLower)))
   {
     return (-1 / l) * gradient;
   }
@@ -94,10 +94,7 @@ struct LatticeField
     const Index layer = row * this->Shape.n[1];
     const auto difference = [f](Index step)
     { return static_cast<double>(f[step]) - static_cast<double>(f[-step]); };
-    return curvilinearGradient(
-      { this->X(i + 1, j, k) - this->X(i - 1, j, k), this->X(i, j + 1, k) - this->X(i, j - 1, k),
-        this->X(i, j, k + 1) - this->X(i, j, k - 1) },
-      { difference(1), difference(row), difference(layer) });
+    return this->X.gradientInside(i, j, k, { difference(1), difference(row), difference(layer) });
   }
 
   Vector3 gradient(int i, int j, int k) const
@@ -120,37 +117,48 @@ struct LatticeField
   }
 };
 
-/// Gradients of a few rows on two levels, each worked out when first asked for.
-template <class Points, class T>
-class GradientCache
+/// Gradients of a few rows on two levels, at the ends of crossed edges.
+class GradientRows
 {
 public:
-  /// From row j0, `rows` rows.
-  void start(const LatticeField<Points, T>& field, int j0, int rows)
+  /// From row j0, `rows` rows of n points.
+  void start(int j0, int rows, int n)
   {
     this->J0 = j0;
     this->Rows = rows;
-    const std::size_t size = std::size_t(2) * rows * field.Shape.n[0];
-    this->Gradients.resize(size);
-    this->Level.assign(size, -1);
+    this->N = n;
+    this->Gradients.resize(std::size_t(2) * rows * n);
   }
-  const Vector3& at(const LatticeField<Points, T>& field, int i, int j, int k)
+  Vector3* row(int j, int k)
   {
-    const std::size_t n =
-      i + field.Shape.n[0] * (std::size_t(j - this->J0) + std::size_t(k & 1) * this->Rows);
-    if (this->Level[n] != k)
+    return this->Gradients.data() +
+      this->N * (std::size_t(j - this->J0) + std::size_t(k & 1) * this->Rows);
+  }
+
+  /// Works out those of level k.
+  template <class Points, class T>
+  void find(const LatticeField<Points, T>& field, const ContourLevel& level, int k)
+  {
+    for (int j = this->J0; j < this->J0 + this->Rows; ++j)
     {
-      this->Level[n] = k;
-      this->Gradients[n] = field.gradient(i, j, k);
+      Vector3* out = this->row(j, k);
+      for (Index w = 0; w < field.Shape.words(); ++w)
+      {
+        Bits left = level.endsOfCrossedEdges(j + Index(field.Shape.n[1]) * k, w);
+        for (; left != 0; left &= left - 1)
+        {
+          const int i = static_cast<int>(64 * w) + __builtin_ctzll(left);
+          out[i] = field.gradient(i, j, k);
+        }
+      }
     }
-    return this->Gradients[n];
   }
 
 private:
   int J0 = 0;
   int Rows = 0;
+  int N = 0;
   std::vector<Vector3> Gradients;
-  std::vector<int> Level;
 };
 
 /// Where a level's vertices go.
@@ -161,51 +169,89 @@ struct SurfaceVertices
   float* Normals; ///< null for none
 };
 
+/// What the vertices of one row of edges are made from: the four rows of points (j, k), (j + 1, k), (j, k + 1), (j + 1, k + 1).
+template <class Points, class T>
+struct EdgeRows
+{
+  Index Start[4]; ///< the first point's id
+  typename Points::Row X[4];
+  const T* Values[4];
+  const Vector3* Gradients[4];
+
+  EdgeRows(const LatticeField<Points, T>& field, GradientRows* gradients, int j, int k)
+  {
+    for (int r = 0; r < 4; ++r)
+    {
+      const int jr = std::min(j + (r & 1), field.Shape.n[1] - 1);
+      const int kr = std::min(k + (r >> 1), field.Shape.n[2] - 1);
+      this->Start[r] = field.id(0, jr, kr);
+      this->X[r] = field.X.row(jr, kr);
+      this->Values[r] = field.Values + this->Start[r];
+      this->Gradients[r] = gradients ? gradients->row(jr, kr) : nullptr;
+    }
+  }
+
+  /// The vertex on the edge of this slot that point i owns.
+  template <class Real, class Attach>
+  void write(Index id, int i, std::array<std::uint8_t, 2> ends, double value,
+    const SurfaceVertices<Real>& out, Attach&& attach) const
+  {
+    const Index ia = i + (ends[0] & 1);
+    const Index ib = i + (ends[1] & 1);
+    const int a = ends[0] >> 1;
+    const int b = ends[1] >> 1;
+    const double fa = static_cast<double>(this->Values[a][ia]);
+    const double fb = static_cast<double>(this->Values[b][ib]);
+    const double t = crossing(fa, fb, value);
+    const Vector3 xa = this->X[a](ia);
+    const Vector3 edge = this->X[b](ib) - xa;
+    const Vector3 x = xa + t * edge;
+    for (int c = 0; c < 3; ++c)
+    {
+      out.Points[3 * id + c] = static_cast<Real>(x[c]);
+    }
+    if (out.Normals)
+    {
+      const Vector3 gradient = (1 - t) * this->Gradients[a][ia] + t * this->Gradients[b][ib];
+      const Vector3 normal =
+        outwardNormal(gradient, (fa > fb ? 1.0 : -1.0) * edge, std::abs(fa - fb));
+      for (int c = 0; c < 3; ++c)
+      {
+        out.Normals[3 * id + c] = static_cast<float>(normal[c]);
+      }
+    }
+    attach(id, this->Start[a] + ia, this->Start[b] + ib, t);
+  }
+};
+
 /**
  * Writes the vertices that the rows j0 to j1 - 1 of all levels own.
  * @param attach called with (id, from, to, t): the two points of the lattice that a vertex lies between
  */
 template <class Points, class T, class Attach>
 void writeVertices(const LatticeField<Points, T>& field, const ContourLevel& level, double value,
-  int j0, int j1, GradientCache<Points, T>& cache,
-  const SurfaceVertices<typename Points::Real>& out, Attach&& attach)
+  int j0, int j1, GradientRows& gradients, const SurfaceVertices<typename Points::Real>& out,
+  Attach&& attach)
 {
   const auto& n = field.Shape.n;
-  cache.start(field, j0, j1 - j0 + 1);
+  if (out.Normals)
+  {
+    gradients.start(j0, std::min(j1 + 1, n[1]) - j0, n[0]);
+    gradients.find(field, level, 0);
+  }
   for (int k = 0; k < n[2]; ++k)
   {
+    if (out.Normals && k + 1 < n[2])
+    {
+      gradients.find(field, level, k + 1);
+    }
     for (int j = j0; j < j1; ++j)
     {
       const int parity = field.Shape.rowParity(j, k);
+      const EdgeRows<Points, T> rows(field, out.Normals ? &gradients : nullptr, j, k);
       level.forEachEdge(j + Index(n[1]) * k,
         [&](Index id, int i, int slot)
-        {
-          const auto ends = edgeEnds(slot, (parity + i) & 1);
-          const int a[3] = { i + (ends[0] & 1), j + (ends[0] >> 1 & 1), k + (ends[0] >> 2) };
-          const int b[3] = { i + (ends[1] & 1), j + (ends[1] >> 1 & 1), k + (ends[1] >> 2) };
-          const double fa = static_cast<double>(field.value(a[0], a[1], a[2]));
-          const double fb = static_cast<double>(field.value(b[0], b[1], b[2]));
-          const double t = crossing(fa, fb, value);
-          const Vector3 xa = field.X(a[0], a[1], a[2]);
-          const Vector3 edge = field.X(b[0], b[1], b[2]) - xa;
-          const Vector3 x = xa + t * edge;
-          for (int c = 0; c < 3; ++c)
-          {
-            out.Points[3 * id + c] = static_cast<typename Points::Real>(x[c]);
-          }
-          if (out.Normals)
-          {
-            const Vector3& ga = cache.at(field, a[0], a[1], a[2]);
-            const Vector3& gb = cache.at(field, b[0], b[1], b[2]);
-            const Vector3 normal =
-              outwardNormal((1 - t) * ga + t * gb, fa > fb ? edge : -1.0 * edge, std::abs(fa - fb));
-            for (int c = 0; c < 3; ++c)
-            {
-              out.Normals[3 * id + c] = static_cast<float>(normal[c]);
-            }
-          }
-          attach(id, field.id(a[0], a[1], a[2]), field.id(b[0], b[1], b[2]), t);
-        });
+        { rows.write(id, i, edgeEnds(slot, (parity + i) & 1), value, out, attach); });
     }
   }
 }

@@ -5,6 +5,7 @@
 #include "ContourOutput.h"
 #include "LatticeContour.h"
 #include "LatticeGrid.h"
+#include "LatticeRanges.h"
 #include "TetrahedraSurface.h"
 #include "WholeData.h"
 
@@ -15,14 +16,50 @@
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <array>
 #include <cmath>
+#include <memory>
 #include <string>
+#include <tuple>
 #include <type_traits>
 
 vtkStandardNewMacro(vtkCloudContour);
 
+/// What one update leaves for the next: the field's ranges and the output's arrays, to write into again.
+class vtkCloudContour::vtkInternals
+{
+public:
+  nephoscope::ContourArrays Arrays;
+
+  /// Those of the field as it is now, worked out if it is not as it was.
+  template <class T>
+  const nephoscope::LatticeRanges<T>& RangesOf(
+    vtkDataArray* field, const T* values, const nephoscope::LatticeShape& shape)
+  {
+    auto& ranges = std::get<std::unique_ptr<nephoscope::LatticeRanges<T>>>(this->Ranges);
+    if (!ranges || this->Field != field || this->Time != field->GetMTime() || this->N != shape.n)
+    {
+      this->Ranges = {};
+      ranges = std::make_unique<nephoscope::LatticeRanges<T>>(shape, values);
+      this->Field = field;
+      this->Time = field->GetMTime();
+      this->N = shape.n;
+    }
+    return *ranges;
+  }
+
+private:
+  const vtkDataArray* Field = nullptr; // to compare only; times never come twice
+  vtkMTimeType Time = 0;
+  std::array<int, 3> N{ 0, 0, 0 };
+  std::tuple<std::unique_ptr<nephoscope::LatticeRanges<float>>,
+    std::unique_ptr<nephoscope::LatticeRanges<double>>>
+    Ranges;
+};
+
 namespace
 {
+using nephoscope::ContourArrays;
 using nephoscope::ContourOutput;
 using nephoscope::isHidden;
 using nephoscope::LatticeContour;
@@ -40,6 +77,7 @@ struct Request
   vtkDataArray* Field;
   const std::vector<double>& Values;
   bool Normals;
+  ContourArrays& Kept;
 
   bool Aborted(double progress) const
   {
@@ -48,11 +86,19 @@ struct Request
   }
 };
 
+/// Attaches the arrays and keeps them for the next update, unless outputs are to be released.
+void finish(const Request& request, const ContourOutput& out)
+{
+  attach(out, request.Output);
+  request.Kept = request.Filter->GetReleaseDataFlag() ? ContourArrays() : ContourArrays(out);
+}
+
 template <class Points, class T>
-void contourLattice(const Request& request, const Points& points, const T* values)
+void contourLattice(const Request& request, const Points& points, const T* values,
+  const nephoscope::LatticeRanges<T>& ranges)
 {
   const LatticeShape shape = nephoscope::latticeShape(request.Input);
-  LatticeContour<Points, T> contour(request.Input, shape, points, values);
+  LatticeContour<Points, T> contour(request.Input, shape, points, values, ranges);
   contour.FindUsable();
   if (nephoscope::closesOnItself(shape, points) && contour.SeamValuesAgree())
   {
@@ -67,24 +113,22 @@ void contourLattice(const Request& request, const Points& points, const T* value
             1 << "), so the surface is open at the seam; an even number would close it.");
     }
   }
-  for (double value : request.Values)
-  {
-    contour.Count(value);
-  }
+  contour.Count(request.Values);
   if (request.Aborted(0.3))
   {
     return;
   }
-  ContourOutput out;
+  ContourOutput out(request.Kept);
   allocate(out, request.Input, request.Output, request.Field,
     std::is_same<typename Points::Real, double>::value, request.Normals,
     contour.GetNumberOfVertices(), contour.GetNumberOfTriangles());
   contour.Generate(out);
-  attach(out, request.Output);
+  finish(request, out);
 }
 
 template <class T>
-void contourLatticeOf(const Request& request, const T* values)
+void contourLatticeOf(
+  const Request& request, const T* values, const nephoscope::LatticeRanges<T>& ranges)
 {
   if (auto* grid = vtkStructuredGrid::SafeDownCast(request.Input))
   {
@@ -93,7 +137,7 @@ void contourLatticeOf(const Request& request, const T* values)
     if (auto* floats = vtkAOSDataArrayTemplate<float>::FastDownCast(data))
     {
       contourLattice(
-        request, nephoscope::CurvilinearPoints<float>{ floats->GetPointer(0), n }, values);
+        request, nephoscope::CurvilinearPoints<float>{ floats->GetPointer(0), n }, values, ranges);
       return;
     }
     vtkSmartPointer<vtkDataArray> doubles = data;
@@ -105,16 +149,16 @@ void contourLatticeOf(const Request& request, const T* values)
     contourLattice(request,
       nephoscope::CurvilinearPoints<double>{
         vtkAOSDataArrayTemplate<double>::FastDownCast(doubles)->GetPointer(0), n },
-      values);
+      values, ranges);
   }
   else if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(request.Input))
   {
-    contourLattice(request, nephoscope::productPoints(rectilinear), values);
+    contourLattice(request, nephoscope::productPoints(rectilinear), values, ranges);
   }
   else
   {
-    contourLattice(
-      request, nephoscope::productPoints(vtkImageData::SafeDownCast(request.Input)), values);
+    contourLattice(request, nephoscope::productPoints(vtkImageData::SafeDownCast(request.Input)),
+      values, ranges);
   }
 }
 
@@ -218,7 +262,7 @@ int contourTetrahedra(const Request& request, const T* values)
   {
     return 1;
   }
-  ContourOutput out;
+  ContourOutput out(request.Kept);
   allocate(out, grid, request.Output, request.Field, grid->GetPoints()->GetDataType() == VTK_DOUBLE,
     request.Normals, vertices, corners / 3);
   std::vector<Vector3> gradients;
@@ -245,24 +289,26 @@ int contourTetrahedra(const Request& request, const T* values)
       });
     firstVertex += static_cast<vtkIdType>(surfaces[s].Vertices.size());
   }
-  attach(out, request.Output);
+  finish(request, out);
   return 1;
 }
 
-template <class T>
-int contour(const Request& request, const T* values)
+template <class T, class Internals>
+int contour(const Request& request, const T* values, Internals& internals)
 {
   if (request.Input->IsA("vtkUnstructuredGrid"))
   {
     return contourTetrahedra(request, values);
   }
-  contourLatticeOf(request, values);
+  contourLatticeOf(request, values,
+    internals.RangesOf(request.Field, values, nephoscope::latticeShape(request.Input)));
   return 1;
 }
 }
 
 vtkCloudContour::vtkCloudContour()
   : Values(1, 0.15)
+  , Internals(std::make_unique<vtkInternals>())
 {
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, nephoscope::arrays::CloudFraction);
@@ -401,10 +447,11 @@ int vtkCloudContour::RequestData(
     return 1; // no cells with volume
   }
 
-  const Request request{ this, input, output, field, this->Values, this->ComputeNormals };
+  const Request request{ this, input, output, field, this->Values, this->ComputeNormals,
+    this->Internals->Arrays };
   if (auto* floats = vtkAOSDataArrayTemplate<float>::FastDownCast(field))
   {
-    return contour(request, floats->GetPointer(0));
+    return contour(request, floats->GetPointer(0), *this->Internals);
   }
   vtkSmartPointer<vtkDataArray> doubles = field;
   if (!vtkAOSDataArrayTemplate<double>::FastDownCast(field))
@@ -412,7 +459,8 @@ int vtkCloudContour::RequestData(
     doubles = vtkSmartPointer<vtkDoubleArray>::New();
     doubles->DeepCopy(field);
   }
-  return contour(request, vtkAOSDataArrayTemplate<double>::FastDownCast(doubles)->GetPointer(0));
+  return contour(request, vtkAOSDataArrayTemplate<double>::FastDownCast(doubles)->GetPointer(0),
+    *this->Internals);
 }
 
 void vtkCloudContour::PrintSelf(ostream& os, vtkIndent indent)

@@ -5,10 +5,11 @@
  *
  * Each hexahedral cell is taken as five tetrahedra of alternating parity, so that neighbours agree at their faces, and the
  * field as linear in each (Max 1994, "2-D Cloud Surfaces"). The tetrahedra are never made. Passes:
- *  1. classify   which points are inside, as bits; which cells are usable
- *  2. count      crossed edges and triangles of each row of the grid
- *  3. sum        prefix sums: every vertex and triangle has its place
- *  4. generate   vertices with normals and interpolated arrays; triangles
+ *  1. range      the least and greatest of each 64 values along i; kept until the field's array changes
+ *  2. classify   which points are inside, as bits, for all contour values; only of words that are crossed is the field read
+ *  3. count      crossed edges and triangles of each row of the grid
+ *  4. sum        prefix sums: every vertex and triangle has its place
+ *  5. generate   gradients at the ends of crossed edges; vertices with normals and interpolated arrays; triangles
  * Tetrahedral unstructured grids are contoured likewise, their edges merged by sorting.
  *
  * Input    port 0: vtkStructuredGrid, vtkRectilinearGrid, vtkImageData, or vtkUnstructuredGrid of tetrahedra.
@@ -32,8 +33,13 @@
  *          odd number the face diagonals differ there; the surface is then open at the seam, and a warning says so.
  * Errors   no such array, not a point array, not one component, a contour value that is not finite, a cell that is not
  *          a tetrahedron: vtkErrorMacro, an empty output. Grids with one layer have no cells: an empty output, no error.
- * Cost     O(points / 64 + crossed cells). The same bits for any number of threads. Besides the output 11 bits a point for
- *          each value; for unstructured grids 32 bytes a tetrahedron.
+ * Cost     O(points / 64 + crossed cells), the first time for a field O(points). The same bits for any number of threads.
+ * Memory   Besides the output, for structured grids: a bit a point and 56 bytes a row for each value, a bit a point for the ranges
+ *          (two for double), 2 bits a point where some cells are left out, and while normals are made at most 48 bytes for each
+ *          point of nine rows a thread. For unstructured grids 32 bytes a tetrahedron.
+ *          Kept between updates: the ranges, and the output's arrays, into which the next output is written if nobody
+ *          else holds them by then and they are large enough, at most twice. With ReleaseDataFlag on, no arrays are kept.
+ *          As everywhere in VTK, who changes the field's values in place calls Modified() on its array.
  * Limits   Left out are cells with a corner that is not finite, with a blanked point, blanked cells and duplicate
  *          (ghost) cells. On a grid that is partly inverted, winding is right where most cells have it.
  * @sa nephoscope::ContourLevel, TetrahedralContour.h, vtkCloudSmooth, vtkCloudTexture, TestCloudContour.cxx
@@ -44,6 +50,7 @@
 #include "vtkCloudFiltersModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <memory> // for members
 #include <vector> // for members
 
 class vtkDataArray;
@@ -87,8 +94,11 @@ private:
   vtkDataArray* FindField(vtkDataSet* input, vtkInformationVector** inputVector);
   bool CheckValues();
 
+  class vtkInternals;
+
   std::vector<double> Values;
   bool ComputeNormals = true;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

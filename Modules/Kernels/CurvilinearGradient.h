@@ -42,8 +42,8 @@ inline std::array<double, 3> solveSymmetric(
     (c2 * b[0] + c12 * b[1] + c22 * b[2]) / determinant };
 }
 
-/// The answer where the directions span no volume.
-inline Vector3 degenerateGradient(
+/// The answer where the directions span no volume. Rare: kept out of the loops that call curvilinearGradient.
+[[gnu::noinline]] inline Vector3 degenerateGradient(
   const std::array<Vector3, 3>& positions, const std::array<double, 3>& field)
 {
   std::array<Vector3, 3> unit{};

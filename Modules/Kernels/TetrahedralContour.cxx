@@ -104,6 +104,50 @@ std::array<std::array<ContourCase, 256>, 2> allCases()
 
 const std::array<std::array<ContourCase, 256>, 2> Cases = allCases();
 
+/// The number of the stream that the cell's edge is in, 16 more where it is one step on.
+std::uint8_t streamOf(CellEdge edge)
+{
+  std::uint8_t stream = 0;
+  while (StreamEdges[stream].row != edge.owner >> 1 || StreamEdges[stream].slot != edge.slot)
+  {
+    ++stream;
+  }
+  return static_cast<std::uint8_t>(stream + 16 * (edge.owner & 1));
+}
+
+StreamCases allStreamCases()
+{
+  StreamCases cases;
+  for (int parity = 0; parity < 2; ++parity)
+  {
+    for (unsigned inside = 0; inside < 256; ++inside)
+    {
+      const ContourCase& from = contourCase(parity, inside);
+      StreamCase& to = cases[parity][inside];
+      for (int e = 0; e < from.edges; ++e)
+      {
+        const std::uint8_t stream = streamOf(from.edge[e]);
+        to.crossed[stream % 16] |= static_cast<std::uint8_t>(stream < 16);
+      }
+      to.triangles = from.triangles;
+      for (int t = 0; t < from.triangles; ++t)
+      {
+        for (int c = 0; c < 3; ++c)
+        {
+          to.triangle[t][c] = streamOf(from.edge[from.triangle[t][c]]);
+        }
+      }
+    }
+  }
+  return cases;
+}
+
+/// The word's bits moved up by one, the last word's last coming in: each point's neighbour at i - 1.
+Bits previous(const Bits* row, Index word)
+{
+  return row[word] << 1 | (word > 0 ? row[word - 1] >> 63 : 0);
+}
+
 /// The word's bits moved down by one, the next word's first coming in: each point's neighbour at i + 1.
 Bits next(const Bits* row, Index word, Index words)
 {
@@ -121,6 +165,12 @@ Bits firstBits(Index count, Index word)
 const ContourCase& contourCase(int parity, unsigned inside)
 {
   return Cases[parity][inside];
+}
+
+const StreamCases& streamCases()
+{
+  static const StreamCases All = allStreamCases();
+  return All;
 }
 
 void restrictToUsablePoints(
@@ -145,10 +195,8 @@ ContourLevel::ContourLevel(const LatticeShape& shape, const LatticeBits* valid)
   , Words(shape.words())
   , Valid(valid)
   , Inside(shape)
-  , Edges(static_cast<std::size_t>(shape.rows() * EdgeSlots * shape.words()))
-  , Rank(Edges.size())
-  , FirstVertex(static_cast<std::size_t>(shape.rows() + 1))
-  , FirstTriangle(FirstVertex.size())
+  , FirstVertex(static_cast<std::size_t>(shape.rows() * EdgeSlots + 1))
+  , FirstTriangle(static_cast<std::size_t>(shape.rows() + 1))
 {
 }
 
@@ -184,26 +232,20 @@ Bits ContourLevel::crossed(const Corners& c, Index row, Index word) const
 
 void ContourLevel::countRow(Index row)
 {
-  this->setEdges(row);
-  if (this->Valid)
+  Index* vertices = &this->FirstVertex[row * EdgeSlots + 1];
+  std::fill_n(vertices, EdgeSlots, 0);
+  for (Index w = 0; w < this->Words; ++w)
   {
-    this->keepEdgesOfValidCells(row);
-  }
-  std::uint32_t vertices = 0;
-  for (int slot = 0; slot < EdgeSlots; ++slot)
-  {
-    const Bits* edges = this->edgeBits(row, slot);
-    for (Index w = 0; w < this->Words; ++w)
+    const SlotBits bits = this->edges(row, w);
+    for (int slot = 0; slot < EdgeSlots; ++slot)
     {
-      this->Rank[(row * EdgeSlots + slot) * this->Words + w] = vertices;
-      vertices += static_cast<std::uint32_t>(count(edges[w]));
+      vertices[slot] += count(bits[slot]);
     }
   }
-  this->FirstVertex[row + 1] = vertices;
-  this->countTriangles(row);
+  this->FirstTriangle[row + 1] = this->trianglesOf(row);
 }
 
-void ContourLevel::setEdges(Index row)
+ContourLevel::SlotBits ContourLevel::edges(Index row, Index w) const
 {
   const auto& n = this->Shape.n;
   const int j = static_cast<int>(row % n[1]);
@@ -216,26 +258,69 @@ void ContourLevel::setEdges(Index row)
   const Bits* r10 = hasJ ? this->Inside.row(row + 1) : r00;
   const Bits* r01 = hasK ? this->Inside.row(row + n[1]) : r00;
   const Bits* r11 = hasJ && hasK ? this->Inside.row(row + n[1] + 1) : r00;
-  const Index owners = n[0] - (this->Shape.closed ? 1 : 0);
-  for (Index w = 0; w < this->Words; ++w)
+  const Bits a = r00[w];
+  const Bits a1 = next(r00, w, this->Words);
+  const Bits b = r10[w];
+  const Bits b1 = next(r10, w, this->Words);
+  const Bits c = r01[w];
+  const Bits c1 = next(r01, w, this->Words);
+  const Bits d = r11[w];
+  const Bits inRow = this->cellsOfWord(w);
+  const Bits across = firstBits(n[0] - (this->Shape.closed ? 1 : 0), w);
+  SlotBits bits = { (a ^ a1) & inRow, (a ^ b) & across & hasJ, (a ^ c) & across & hasK,
+    ((even & (a ^ b1)) | (~even & (a1 ^ b))) & inRow & hasJ,
+    ((even & (a ^ c1)) | (~even & (a1 ^ c))) & inRow & hasK,
+    ((even & (a ^ d)) | (~even & (b ^ c))) & across & hasJ & hasK };
+  if (this->Valid)
   {
-    const Bits a = r00[w];
-    const Bits a1 = next(r00, w, this->Words);
-    const Bits b = r10[w];
-    const Bits b1 = next(r10, w, this->Words);
-    const Bits c = r01[w];
-    const Bits c1 = next(r01, w, this->Words);
-    const Bits d = r11[w];
-    const Bits inRow = this->cellsOfWord(w);
-    const Bits across = firstBits(owners, w);
-    this->edgeBits(row, SideI)[w] = (a ^ a1) & inRow;
-    this->edgeBits(row, SideJ)[w] = (a ^ b) & across & hasJ;
-    this->edgeBits(row, SideK)[w] = (a ^ c) & across & hasK;
-    this->edgeBits(row, DiagonalIJ)[w] = ((even & (a ^ b1)) | (~even & (a1 ^ b))) & inRow & hasJ;
-    this->edgeBits(row, DiagonalIK)[w] = ((even & (a ^ c1)) | (~even & (a1 ^ c))) & inRow & hasK;
-    this->edgeBits(row, DiagonalJK)[w] =
-      ((even & (a ^ d)) | (~even & (b ^ c))) & across & hasJ & hasK;
+    this->keepEdgesOfValidCells(row, w, bits);
   }
+  return bits;
+}
+
+ContourLevel::StreamBits ContourLevel::streamBits(Index row, Index word) const
+{
+  SlotBits bits[4];
+  for (int r = 0; r < 4; ++r)
+  {
+    bits[r] = this->edges(row + (r & 1) + (r >> 1) * Index(this->Shape.n[1]), word);
+  }
+  StreamBits streams;
+  for (int s = 0; s < Streams; ++s)
+  {
+    streams[s] = bits[StreamEdges[s].row][StreamEdges[s].slot];
+  }
+  return streams;
+}
+
+Bits ContourLevel::endsOfCrossedEdges(Index row, Index word) const
+{
+  const auto& n = this->Shape.n;
+  const int j = static_cast<int>(row % n[1]);
+  const int k = static_cast<int>(row / n[1]);
+  const Bits* here = this->Inside.row(row);
+  const Bits a = here[word];
+  Bits sides = (a ^ next(here, word, this->Words)) | (a ^ previous(here, word));
+  Bits diagonals = 0; // they join even points
+  for (int dk = k > 0 ? -1 : 0; dk <= (k + 1 < n[2] ? 1 : 0); ++dk)
+  {
+    for (int dj = j > 0 ? -1 : 0; dj <= (j + 1 < n[1] ? 1 : 0); ++dj)
+    {
+      const Bits* there = this->Inside.row(row + dj + dk * Index(n[1]));
+      const Bits differ = a ^ there[word];
+      if (dj == 0 || dk == 0)
+      {
+        sides |= differ;
+        diagonals |= (a ^ next(there, word, this->Words)) | (a ^ previous(there, word));
+      }
+      else
+      {
+        diagonals |= differ;
+      }
+    }
+  }
+  const Bits even = 0x5555555555555555 << this->Shape.rowParity(j, k);
+  return (sides | (diagonals & even)) & firstBits(n[0], word);
 }
 
 Bits ContourLevel::validCells(int j, int k, Index word) const
@@ -262,43 +347,41 @@ Bits ContourLevel::validCellsEitherSide(int j, int k, Index word) const
   return here | before;
 }
 
-void ContourLevel::keepEdgesOfValidCells(Index row)
+void ContourLevel::keepEdgesOfValidCells(Index row, Index w, SlotBits& bits) const
 {
   const int j = static_cast<int>(row % this->Shape.n[1]);
   const int k = static_cast<int>(row / this->Shape.n[1]);
-  for (Index w = 0; w < this->Words; ++w)
-  {
-    const Bits c00 = this->validCells(j, k, w);
-    const Bits c10 = this->validCells(j - 1, k, w);
-    const Bits c01 = this->validCells(j, k - 1, w);
-    const Bits c11 = this->validCells(j - 1, k - 1, w);
-    const Bits s00 = this->validCellsEitherSide(j, k, w);
-    this->edgeBits(row, SideI)[w] &= c00 | c10 | c01 | c11;
-    this->edgeBits(row, SideJ)[w] &= s00 | this->validCellsEitherSide(j, k - 1, w);
-    this->edgeBits(row, SideK)[w] &= s00 | this->validCellsEitherSide(j - 1, k, w);
-    this->edgeBits(row, DiagonalIJ)[w] &= c00 | c01;
-    this->edgeBits(row, DiagonalIK)[w] &= c00 | c10;
-    this->edgeBits(row, DiagonalJK)[w] &= s00;
-  }
+  const Bits c00 = this->validCells(j, k, w);
+  const Bits c10 = this->validCells(j - 1, k, w);
+  const Bits c01 = this->validCells(j, k - 1, w);
+  const Bits c11 = this->validCells(j - 1, k - 1, w);
+  const Bits s00 = this->validCellsEitherSide(j, k, w);
+  bits[SideI] &= c00 | c10 | c01 | c11;
+  bits[SideJ] &= s00 | this->validCellsEitherSide(j, k - 1, w);
+  bits[SideK] &= s00 | this->validCellsEitherSide(j - 1, k, w);
+  bits[DiagonalIJ] &= c00 | c01;
+  bits[DiagonalIK] &= c00 | c10;
+  bits[DiagonalJK] &= s00;
 }
 
-void ContourLevel::countTriangles(Index row)
+Index ContourLevel::trianglesOf(Index row) const
 {
   Index triangles = 0;
   const int j = static_cast<int>(row % this->Shape.n[1]);
   const int k = static_cast<int>(row / this->Shape.n[1]);
   const int parity = this->Shape.rowParity(j, k);
   const bool cells = j + 1 < this->Shape.n[1] && k + 1 < this->Shape.n[2];
+  const StreamCases& cases = streamCases();
   for (Index w = 0; cells && w < this->Words; ++w)
   {
     const Corners c = this->corners(row, w);
     for (Bits left = this->crossed(c, row, w); left != 0; left &= left - 1)
     {
       const int bit = __builtin_ctzll(left);
-      triangles += contourCase((parity + bit) & 1, c.inside(bit)).triangles;
+      triangles += cases[(parity + bit) & 1][c.inside(bit)].triangles;
     }
   }
-  this->FirstTriangle[row + 1] = triangles;
+  return triangles;
 }
 
 void ContourLevel::accumulate()
@@ -306,6 +389,9 @@ void ContourLevel::accumulate()
   for (std::size_t r = 1; r < this->FirstVertex.size(); ++r)
   {
     this->FirstVertex[r] += this->FirstVertex[r - 1];
+  }
+  for (std::size_t r = 1; r < this->FirstTriangle.size(); ++r)
+  {
     this->FirstTriangle[r] += this->FirstTriangle[r - 1];
   }
 }

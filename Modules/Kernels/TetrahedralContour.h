@@ -8,7 +8,9 @@
  *
  * Every edge belongs to the point at its low corner, which owns six: the sides along i, j and k and the diagonals of the
  * three faces. A crossed edge carries one vertex of the surface, so a vertex's id is the number of crossed edges before
- * it, found by prefix sums: no search, no merging, and the same for any number of threads.
+ * it, found by prefix sums: no search, no merging, and the same for any number of threads. Crossed edges are not stored:
+ * they follow from the bits. Along a row of cells the ids on its 13 kinds of edge only count upwards, by what a cell's
+ * case says.
  *
  * Passes, each over rows of points that share (j, k), in any order and in parallel:
  *  1. classify      values to bits
@@ -22,13 +24,15 @@
  *
  * A cell that is not valid (a corner that is not finite, a blanked point or cell) yields nothing.
  *
- * Memory: 10.1 bits a point. @sa TetrahedralSplit.h, vtkCloudContour, TestTetrahedralContour.cxx
+ * Memory: a bit a point and 56 bytes a row. @sa TetrahedralSplit.h, vtkCloudContour, TestTetrahedralContour.cxx
  */
 #ifndef TetrahedralContour_h
 #define TetrahedralContour_h
 
 #include "TetrahedralSplit.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -65,6 +69,30 @@ struct ContourCase
 
 /// @param parity of the cell, 0 or 1  @param inside bit v is set where cell vertex v is inside
 const ContourCase& contourCase(int parity, unsigned inside);
+
+/**
+ * A case as a walk along a row of cells needs it. The edges of a row of cells, without those that differ by a step along i, are 13
+ * streams: the slots of the four rows of points. A cell has an edge of each, and of five a second, one step on.
+ */
+struct StreamCase
+{
+  std::array<std::uint8_t, 16> crossed{}; ///< 1 for the streams whose edge is crossed
+  std::uint8_t triangles = 0;
+  std::array<std::array<std::uint8_t, 3>, 10> triangle{}; ///< streams; 16 more for one step on
+};
+using StreamCases = std::array<std::array<StreamCase, 256>, 2>;
+const StreamCases& streamCases(); ///< [parity][inside]
+
+/// Which row of points of a cell, j + 2 k, and which slot a stream is.
+struct EdgeStream
+{
+  std::uint8_t row;
+  std::uint8_t slot;
+};
+constexpr int Streams = 13;
+constexpr EdgeStream StreamEdges[Streams] = { { 0, SideI }, { 0, SideJ }, { 0, SideK },
+  { 0, DiagonalIJ }, { 0, DiagonalIK }, { 0, DiagonalJK }, { 1, SideI }, { 1, SideK },
+  { 1, DiagonalIK }, { 2, SideI }, { 2, SideJ }, { 2, DiagonalIJ }, { 3, SideI } };
 
 /// The two corners, as bit patterns from the owner, that an edge joins; the first is where interpolation starts.
 constexpr std::array<std::uint8_t, 2> edgeEnds(int slot, int ownerParity)
@@ -127,21 +155,25 @@ public:
   /// @param valid cells that count, one bit at each low corner; null for all. Must outlive this.
   ContourLevel(const LatticeShape& shape, const LatticeBits* valid);
 
-  /// Pass 1. @param value finite; compared exactly whatever T
+  /**
+   * Pass 1.
+   * @param value finite; compared exactly whatever T
+   * @param least,greatest bounds of each 64 values of the row, or null: where they do not enclose the value, values are not read
+   */
   template <class T>
-  void classify(Index row, const T* values, T value)
+  void classify(
+    Index row, const T* values, T value, const T* least = nullptr, const T* greatest = nullptr)
   {
     Bits* out = this->Inside.row(row);
     const int n = this->Shape.n[0];
     for (int first = 0; first < n; first += 64)
     {
       const int count = n - first < 64 ? n - first : 64;
-      Bits word = 0;
-      for (int b = 0; b < count; ++b)
-      {
-        word |= static_cast<Bits>(values[first + b] >= value) << b;
-      }
-      out[first / 64] = word;
+      const bool none = greatest && greatest[first / 64] < value;
+      const bool all = least && least[first / 64] >= value;
+      out[first / 64] = none ? 0
+        : all                ? ~Bits(0) >> (64 - count)
+                             : atLeast(values + first, count, value);
     }
     if (this->Shape.closed)
     {
@@ -158,51 +190,74 @@ public:
   Index numberOfTriangles() const { return this->FirstTriangle.back(); }
   Index firstTriangle(Index row) const { return this->FirstTriangle[row]; }
 
-  /// Pass 3. Calls f(id, i, slot) for each crossed edge that a point of the row owns.
+  /// Pass 3. Calls f(id, i, slot) for each crossed edge that a point of the row owns. Ids run along i, slot after slot.
   template <class F>
   void forEachEdge(Index row, F&& f) const
   {
-    Index id = this->FirstVertex[row];
-    for (int slot = 0; slot < EdgeSlots; ++slot)
+    std::array<Index, EdgeSlots> id;
+    std::copy_n(&this->FirstVertex[row * EdgeSlots], EdgeSlots, id.begin());
+    for (Index w = 0; w < this->Words; ++w)
     {
-      const Bits* edges = this->edgeBits(row, slot);
-      for (Index w = 0; w < this->Words; ++w)
+      const SlotBits edges = this->edges(row, w);
+      for (int slot = 0; slot < EdgeSlots; ++slot)
       {
-        for (Bits left = edges[w]; left != 0; left &= left - 1)
+        for (Bits left = edges[slot]; left != 0; left &= left - 1)
         {
-          f(id++, static_cast<int>(64 * w) + __builtin_ctzll(left), slot);
+          f(id[slot]++, static_cast<int>(64 * w) + __builtin_ctzll(left), slot);
         }
       }
     }
   }
 
-  /// Pass 3. Calls f(id0, id1, id2) for each triangle of the row's cells, in order.
-  template <class F>
+  /// Points of a word that are ends of crossed edges, and maybe others where cells do not count.
+  Bits endsOfCrossedEdges(Index row, Index word) const;
+
+  /// Pass 3. Calls f(id0, id1, id2), of type Id, for each triangle of the row's cells, in order.
+  template <class Id = Index, class F>
   void forEachTriangle(Index row, F&& f) const
   {
     const int j = static_cast<int>(row % this->Shape.n[1]);
     const int k = static_cast<int>(row / this->Shape.n[1]);
-    const int parity = this->Shape.rowParity(j, k);
     if (j + 1 >= this->Shape.n[1] || k + 1 >= this->Shape.n[2])
     {
       return;
     }
+    const int parity = this->Shape.rowParity(j, k);
+    const StreamCases& cases = streamCases();
+    const Index end = this->Shape.closed ? this->Shape.n[0] - 2 : -1; // the cell before the seam
+    const std::array<Id, 16> first = this->template firstIds<Id>(row);
+    std::array<Id, 16> wordStart = first;
+    std::array<Id, 32> ids; // of the streams at this cell, and one step on
+    std::copy(first.begin(), first.end(), ids.begin() + 16);
     for (Index w = 0; w < this->Words; ++w)
     {
+      const StreamBits streams = this->Valid ? this->streamBits(row, w) : StreamBits{};
       const Corners corners = this->corners(row, w);
       for (Bits left = this->crossed(corners, row, w); left != 0; left &= left - 1)
       {
         const int bit = __builtin_ctzll(left);
-        const ContourCase& c = contourCase((parity + bit) & 1, corners.inside(bit));
-        std::array<Index, 18> ids;
-        for (int e = 0; e < c.edges; ++e)
+        const StreamCase& c = cases[(parity + bit) & 1][corners.inside(bit)];
+        std::copy_n(ids.begin() + 16, 16, ids.begin());
+        if (this->Valid)
         {
-          ids[e] = this->vertex(row, static_cast<int>(64 * w) + bit, c.edge[e]);
+          countIds(streams, (Bits(1) << bit) - 1, wordStart.data(), ids.data());
+        }
+        for (int s = 0; s < 16; ++s)
+        {
+          ids[16 + s] = ids[s] + static_cast<Id>(c.crossed[s]);
+        }
+        if (64 * w + bit == end)
+        {
+          std::copy(first.begin(), first.end(), ids.begin() + 16);
         }
         for (int t = 0; t < c.triangles; ++t)
         {
           f(ids[c.triangle[t][0]], ids[c.triangle[t][1]], ids[c.triangle[t][2]]);
         }
+      }
+      if (this->Valid)
+      {
+        countIds(streams, ~Bits(0), wordStart.data(), wordStart.data());
       }
     }
   }
@@ -223,22 +278,52 @@ private:
     }
   };
 
+  using SlotBits = std::array<Bits, EdgeSlots>;
+  using StreamBits = std::array<Bits, Streams>;
+
   Corners corners(Index row, Index word) const;
   Bits crossed(const Corners& corners, Index row, Index word) const;
   Bits cellsOfWord(Index word) const;
-  void setEdges(Index row);
-  void keepEdgesOfValidCells(Index row);
+  SlotBits edges(Index row, Index word) const;
+  void keepEdgesOfValidCells(Index row, Index word, SlotBits& edges) const;
+  StreamBits streamBits(Index row, Index word) const;
   Bits validCells(int j, int k, Index word) const;
   Bits validCellsEitherSide(int j, int k, Index word) const;
-  void countTriangles(Index row);
+  Index trianglesOf(Index row) const;
 
-  Bits* edgeBits(Index row, int slot)
+  /// The ids that the streams of a row of cells start with.
+  template <class Id>
+  std::array<Id, 16> firstIds(Index row) const
   {
-    return this->Edges.data() + (row * EdgeSlots + slot) * this->Words;
+    std::array<Id, 16> ids{};
+    for (int s = 0; s < Streams; ++s)
+    {
+      const EdgeStream e = StreamEdges[s];
+      const Index owner = row + (e.row & 1) + (e.row >> 1) * Index(this->Shape.n[1]);
+      ids[s] = static_cast<Id>(this->FirstVertex[owner * EdgeSlots + e.slot]);
+    }
+    return ids;
   }
-  const Bits* edgeBits(Index row, int slot) const
+
+  /// ids = start + crossed edges under the mask, for each stream: where cells do not count, ids may jump.
+  template <class Id>
+  static void countIds(const StreamBits& streams, Bits mask, const Id* start, Id* ids)
   {
-    return this->Edges.data() + (row * EdgeSlots + slot) * this->Words;
+    for (int s = 0; s < Streams; ++s)
+    {
+      ids[s] = start[s] + static_cast<Id>(count(streams[s] & mask));
+    }
+  }
+
+  template <class T>
+  static Bits atLeast(const T* values, int count, T value)
+  {
+    Bits word = 0;
+    for (int b = 0; b < count; ++b)
+    {
+      word |= static_cast<Bits>(values[b] >= value) << b;
+    }
+    return word;
   }
 
   static int count(Bits b)
@@ -250,27 +335,12 @@ private:
     return static_cast<int>(b * 0x0101010101010101 >> 56);
   }
 
-  Index vertex(Index row, int i, CellEdge edge) const
-  {
-    i += edge.owner & 1;
-    if (this->Shape.closed && i == this->Shape.n[0] - 1)
-    {
-      i = 0;
-    }
-    const Index owner = row + (edge.owner >> 1 & 1) + (edge.owner >> 2) * Index(this->Shape.n[1]);
-    const Index word = (owner * EdgeSlots + edge.slot) * this->Words + i / 64;
-    const Bits before = this->Edges[word] & ((Bits(1) << (i % 64)) - 1);
-    return this->FirstVertex[owner] + this->Rank[word] + count(before);
-  }
-
   LatticeShape Shape;
   Index Words;
   const LatticeBits* Valid;
   LatticeBits Inside;
-  std::vector<Bits> Edges;         // row, slot, word
-  std::vector<std::uint32_t> Rank; // of each word of Edges: crossed edges before it in its row
-  std::vector<Index> FirstVertex;  // of each row, and the total
-  std::vector<Index> FirstTriangle;
+  std::vector<Index> FirstVertex;   // of each row's slots, and the total
+  std::vector<Index> FirstTriangle; // of each row, and the total
 };
 }
 #endif
