@@ -6,7 +6,9 @@
 #ifndef ContourOutput_h
 #define ContourOutput_h
 
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkArrayListTemplate.h"
+#include "vtkBuffer.h"
 #include "vtkCellArray.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -43,13 +45,26 @@ struct ContourOutput : ContourArrays
   ArrayList Others;
 };
 
-/// The array again if it is of this type, held by one other (who kept it for this), large enough and not more than twice as large; else a new one.
+/// Whether another array shares this one's memory: a shallow copy does.
+template <class T>
+class SharedMemory : public vtkAOSDataArrayTemplate<T>
+{
+public:
+  static bool isShared(vtkAOSDataArrayTemplate<T>& array)
+  {
+    return (array.*(&SharedMemory::Buffer))->GetReferenceCount() > 1;
+  }
+};
+
+/// The array from before again, if nobody holds it or its memory but those two who pass it on, and the size is right within a
+/// factor of two; else a new one.
 template <class ArrayType>
 vtkSmartPointer<ArrayType> sizedArray(vtkDataArray* before, int components, vtkIdType tuples)
 {
   const vtkIdType size = components * tuples;
   auto* same = ArrayType::SafeDownCast(before);
-  const bool fits = same && same->GetReferenceCount() <= 2 && same->GetSize() >= size &&
+  const bool fits = same && same->GetReferenceCount() <= 2 &&
+    !SharedMemory<typename ArrayType::ValueType>::isShared(*same) && same->GetSize() >= size &&
     same->GetSize() / 2 <= size;
   auto array = fits ? vtkSmartPointer<ArrayType>(same) : vtkSmartPointer<ArrayType>::New();
   array->SetNumberOfComponents(components);

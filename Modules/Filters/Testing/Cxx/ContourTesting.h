@@ -170,11 +170,13 @@ inline double areaOf(vtkPolyData* surface)
   return area;
 }
 
-/// The same field on the tetrahedra of the structured grid.
-inline vtkSmartPointer<vtkUnstructuredGrid> tetrahedraOf(vtkImageData* image)
+/// The same field on the tetrahedra of the structured grid or image.
+template <class Grid>
+vtkSmartPointer<vtkUnstructuredGrid> tetrahedraOf(Grid* image, int precision = VTK_FLOAT)
 {
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   vtkNew<vtkPoints> points;
+  points->SetDataType(precision);
   for (vtkIdType id = 0; id < image->GetNumberOfPoints(); ++id)
   {
     points->InsertNextPoint(image->GetPoint(id));

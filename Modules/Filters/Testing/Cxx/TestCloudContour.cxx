@@ -76,7 +76,7 @@ TEST(CloudContour, NormalsOfTetrahedraPointOutOfTheCloud)
   image->SetDimensions(19, 20, 21);
   image->SetOrigin(-9, -9, -9);
   addField(image, [](const Vector& x) { return 1 - std::sqrt(dot(x, x)) / 10; });
-  auto surface = contourOf(tetrahedraOf(image), 0.4F);
+  auto surface = contourOf(tetrahedraOf(image.Get()), 0.4F);
   ASSERT_GT(surface->GetNumberOfPoints(), 500);
   for (vtkIdType p = 0; p < surface->GetNumberOfPoints(); ++p)
   {

@@ -130,7 +130,7 @@ TEST(CloudContour, TetrahedraGiveTheSameSurface)
   for (double value : { 0.05, 0.2, 0.27 })
   {
     auto lattice = contourOf(image, float(value));
-    auto tetrahedra = tetrahedraOf(image);
+    auto tetrahedra = tetrahedraOf(image.Get());
     // A NaN takes out the hexahedron there, but only the tetrahedra that touch it here; so without.
     tetrahedra->GetPointData()->GetArray(0)->SetComponent(500, 0, 0);
     image->GetPointData()->GetArray(0)->SetComponent(500, 0, 0);
