@@ -51,7 +51,7 @@ std::string VolumeCells::Read(
   this->ReadOptics(scalars, property);
   int extent[6];
   this->Structured = extentOf(cells, extent);
-  const std::string wrong =
+  std::string wrong =
     this->Structured ? this->ReadStructured(cells, extent) : this->ReadTetrahedra(cells);
   place(this->Structured ? this->Columns.points : this->Mesh.points, matrix);
   this->Extinction = {};
@@ -78,7 +78,7 @@ void VolumeCells::ReadOptics(vtkDataArray* scalars, vtkVolumeProperty* property)
     {
       color->GetColor(scalar, rgb);
     }
-    else if (std::isfinite(scalar))
+    else if (std::isfinite(scalar) && gray)
     {
       std::fill(rgb, rgb + 3, gray->GetValue(scalar));
     }

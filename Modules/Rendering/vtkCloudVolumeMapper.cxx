@@ -181,7 +181,8 @@ struct vtkCloudVolumeMapper::Internals
         this->Image.data() + 4 * Texels * (static_cast<std::size_t>(row) * width + x);
       for (int t = 0; t < 4 * Texels; ++t)
       {
-        texel[t] = static_cast<std::uint16_t>(std::clamp(rgba[t % 4], 0.0, 1.0) * 65535 + 0.5);
+        texel[t] =
+          static_cast<std::uint16_t>(std::lround(std::clamp(rgba[t % 4], 0.0, 1.0) * 65535));
       }
     }
   }
