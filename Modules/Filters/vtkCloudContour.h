@@ -36,13 +36,14 @@
  * Cost     O(points / 64 + crossed cells), the first time for a field O(points). The same bits for any number of threads.
  * Memory   Besides the output, for structured grids: a bit a point and 56 bytes a row for each value, a bit a point for the ranges
  *          (two for double), 2 bits a point where some cells are left out, and while normals are made at most 48 bytes for each
- *          point of nine rows a thread. For unstructured grids 32 bytes a tetrahedron.
+ *          point of nine rows a thread. Measured on 320 x 160 x 19 points of a curvilinear grid in float: 2.6 % of the input for
+ *          one value, 8.8 % for four. For unstructured grids 32 bytes a tetrahedron.
  *          Kept between updates: the ranges, and the output's arrays, into which the next output is written if nobody
  *          else holds them by then and they are large enough, at most twice. With ReleaseDataFlag on, no arrays are kept.
  *          As everywhere in VTK, who changes the field's values in place calls Modified() on its array.
  * Limits   Left out are cells with a corner that is not finite, with a blanked point, blanked cells and duplicate
  *          (ghost) cells. On a grid that is partly inverted, winding is right where most cells have it.
- * @sa nephoscope::ContourLevel, TetrahedralContour.h, vtkCloudSmooth, vtkCloudTexture, TestCloudContour.cxx
+ * @sa nephoscope::ContourLevel, TetrahedralContour.h, vtkCloudSmooth, vtkCloudTexture, TestCloudContour.cxx, TestCloudContourPeer.cxx
  */
 #ifndef vtkCloudContour_h
 #define vtkCloudContour_h
