@@ -87,7 +87,7 @@ struct Backdrop
 struct SurfaceBody
 {
   double value = 0.15;
-  double smoothing = 0.7;
+  double smoothing = 1;
   double opacity = 1;
   Triple color{ 1, 1, 1 };
 };

@@ -129,7 +129,7 @@ void visitKeys(SurfaceBody& body, Visitor&& visit)
 {
   visit(Key{ "value", "1", "cloud fraction of the surface", "0.15", 0, 1 }, body.value);
   visit(Key{ "smoothing", "grid steps",
-          "standard deviation of the filter before contouring; 0 for none", "0.7", 0, 100 },
+          "standard deviation of the filter before contouring; 0 for none", "1", 0, 100 },
     body.smoothing);
   visit(Key{ "opacity", "1", "largest opacity", "1", 0, 1 }, body.opacity);
   visit(Key{ "color", "linear RGB", "reflectance", "[1, 1, 1]", 0, 1 }, body.color);

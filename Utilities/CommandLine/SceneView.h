@@ -36,7 +36,7 @@ struct Extent
 
 Extent extentOf(vtkStructuredGrid* grid);
 
-/// Factor on heights that shows clouds as bodies: 30 on a whole globe; else the troposphere rises to a quarter of the data's
+/// Factor on heights that shows clouds as bodies: 20 on a whole globe, up to 40 where its grid is coarse; else the troposphere rises to a quarter of the data's
 /// width, from 1 to 40, two digits.
 double exaggerationOf(const Extent& extent);
 
