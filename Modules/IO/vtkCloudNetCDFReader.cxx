@@ -66,13 +66,13 @@ struct vtkCloudNetCDFReader::Internals
       const Role role = roleOfName(name);
       if (role == Role::Count)
       {
-        std::string known;
+        std::string message = "role '" + name + "' is not known; the roles are ";
         for (int r = 0; r < static_cast<int>(Role::Count); ++r)
         {
-          known += r ? ", " : "";
-          known += ruleOf(static_cast<Role>(r)).name;
+          message += r ? ", " : "";
+          message += ruleOf(static_cast<Role>(r)).name;
         }
-        throw ReadError("role '" + name + "' is not known; the roles are " + known);
+        throw ReadError(message);
       }
       choices[role] = variable;
     }

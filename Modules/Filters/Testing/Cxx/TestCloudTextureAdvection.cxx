@@ -223,7 +223,7 @@ TEST(CloudTextureAdvection, AscentBringsTheLevelBelow)
 
 TEST(CloudTextureAdvection, AnyOrderOfRequestsGivesTheSameBits)
 {
-  const auto at = [](std::vector<double> times)
+  const auto at = [](const std::vector<double>& times)
   {
     vtkNew<Atmosphere> air;
     air->Wind = swirl;
