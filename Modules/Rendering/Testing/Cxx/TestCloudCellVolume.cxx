@@ -104,8 +104,8 @@ protected:
     int cloudy = 0;
     for (int pixel = 0; pixel < camera.width() * camera.height(); ++pixel)
     {
-      const Ray ray = camera.ray(
-        pixel % camera.width() + 0.5 + moved, pixel / camera.width() + 0.5 + 0.6 * moved);
+      const int row = pixel / camera.width();
+      const Ray ray = camera.ray(pixel % camera.width() + 0.5 + moved, row + 0.5 + 0.6 * moved);
       const Real tau = opticalDepth(ray, grid);
       const double transmittance = std::exp(-tau);
       cloudy += transmittance < 1 - 1e-3;
@@ -222,7 +222,8 @@ TEST_F(CloudCellVolume, AgreesForEveryOpticalDepth)
       const Camera camera = this->KernelCamera();
       for (int pixel = 0; pixel < 37 * 23; ++pixel)
       {
-        const double tau = opticalDepth(camera.ray(pixel % 37 + 0.5, pixel / 37 + 0.5), grid);
+        const int row = pixel / 37;
+        const double tau = opticalDepth(camera.ray(pixel % 37 + 0.5, row + 0.5), grid);
         EXPECT_NEAR(
           this->Value(nephoscope::arrays::Radiance, pixel, 0), -std::expm1(-tau), 1e-5 * tau);
       }
@@ -270,7 +271,8 @@ TEST_F(CloudCellVolume, SeamAndPolesOfAUniformShellShowNoTrace)
     const Camera camera = this->KernelCamera();
     for (int pixel = 0; pixel < 37 * 23; ++pixel)
     {
-      const Vector3 o = camera.ray(pixel % 37 + 0.5, pixel / 37 + 0.5).origin;
+      const int row = pixel / 37;
+      const Vector3 o = camera.ray(pixel % 37 + 0.5, row + 0.5).origin;
       const double along = dot(o, camera.forward());
       const double miss2 = dot(o, o) - along * along;
       if (std::abs(miss2 - 1) > 0.02 && std::abs(miss2 - 4) > 0.08)
@@ -304,7 +306,8 @@ TEST_F(CloudCellVolume, OpticalDepthOfAPictureIsTheMass)
   for (int i = 0; i < n * n; ++i)
   {
     const double x = -2 + 4 * (i % n + 0.5) / n;
-    const double y = -1.5 + 3 * (i / n + 0.5) / n;
+    const int row = i / n;
+    const double y = -1.5 + 3 * (row + 0.5) / n;
     mass += opticalDepth(Ray{ { x, y, -5 }, { 0, 0, 1 } }, grid) * 12 / (n * n);
   }
   EXPECT_NEAR(seen / mass, 1, 1e-3);

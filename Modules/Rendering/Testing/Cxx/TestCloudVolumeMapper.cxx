@@ -322,7 +322,8 @@ TEST_F(CloudVolumeMapper, StopsAtATiltedPlaneInPerspective)
     Camera::perspective({ 0, -5, 0 }, { 0, 0, 0 }, { 0, 0, 1 }, 30, Width, Height);
   for (int pixel = 0; pixel < Width * Height; pixel += 7)
   {
-    const Vector3 d = rays.ray(pixel % Width + 0.5, pixel / Width + 0.5).direction;
+    const int row = pixel / Width;
+    const Vector3 d = rays.ray(pixel % Width + 0.5, row + 0.5).direction;
     const double length = std::max(0.0, 5 / (d[1] - 0.4 * d[0]) - 4 / d[1]);
     EXPECT_NEAR(colors[3 * pixel], 1 - std::exp(-length / 0.5), 1.5 / 255) << "pixel " << pixel;
   }
