@@ -24,6 +24,8 @@ function (nephoscope_add_test name)
   elseif (Nephoscope_XVFB_RUN)
     add_test(NAME ${name}
       COMMAND "${Nephoscope_XVFB_RUN}" -a -s "-screen 0 1280x1024x24" $<TARGET_FILE:${name}>)
+    # The software OpenGL driver leaks when it is unloaded; the modules' own leaks show in the other tests.
+    set_tests_properties(${name} PROPERTIES ENVIRONMENT "ASAN_OPTIONS=detect_leaks=0")
   else ()
     add_test(NAME ${name} COMMAND "${CMAKE_COMMAND}" -E echo "Skipped: no xvfb-run, install xvfb")
     set_tests_properties(${name} PROPERTIES SKIP_REGULAR_EXPRESSION "Skipped: no xvfb-run")
