@@ -13,13 +13,13 @@ namespace nephoscope
 {
 namespace
 {
-/// The part of one dimension that the taps need.
-struct Span
+/// The tap's weighted mean of what `value` gives `stride` a place apart, from `base` on.
+template <class Tap, class Value>
+double mean(const Tap& tap, std::size_t stride, std::size_t base, const Value& value)
 {
-  std::size_t start = 0;
-  std::size_t count = 1;
-  std::size_t stride = 0; ///< in the values read
-};
+  const double a = value(base + tap.low * stride);
+  return tap.weight == 0 ? a : a + tap.weight * (value(base + tap.high * stride) - a);
+}
 }
 
 bool FieldReader::tapByCoordinate(int dimension, int own, bool periodic, Taps& taps) const
@@ -99,33 +99,26 @@ FieldReader::Taps FieldReader::tapsAlong(int dimension, int own, std::size_t pla
   return taps;
 }
 
-template <class T>
-std::vector<T> FieldReader::read(
-  const RoleVariable& role, const Region& region, const std::vector<std::size_t>& levels) const
+FieldReader::Block FieldReader::blockOf(
+  const FileVariable& variable, const Region& region, const std::vector<std::size_t>& levels) const
 {
-  const FileVariable& variable = *role.variable;
   const GridAxes& grid = this->File.Grid;
   const std::size_t rank = variable.dimensions.size();
-  std::vector<std::size_t> start(rank, 0);
-  std::vector<std::size_t> count(rank, 1);
-  // 0 x, 1 y, 2 z
-  Taps taps[3] = { Taps(region.columns.size(), Tap{ 0, 0, 0 }),
-    Taps(region.rows.size(), Tap{ 0, 0, 0 }), Taps(levels.size(), Tap{ 0, 0, 0 }) };
-  std::size_t place[3] = { rank, rank, rank };
+  Block block{ std::vector<std::size_t>(rank, 0), std::vector<std::size_t>(rank, 1),
+    { { rank, 0, Taps(region.columns.size(), Tap{ 0, 0, 0 }) },
+      { rank, 0, Taps(region.rows.size(), Tap{ 0, 0, 0 }) },
+      { rank, 0, Taps(levels.size(), Tap{ 0, 0, 0 }) } } };
   for (std::size_t axis = 0; axis < rank; ++axis)
   {
     const int d = variable.dimensions[axis];
-    const std::size_t size = this->File.File.sizeOf(variable, axis);
     const Axis kind = this->File.Axes.of(d);
-    const auto lay =
-      [&](int which, int own, std::size_t places, bool flip, const std::vector<std::size_t>& wanted)
-    {
-      taps[which] = this->tapsAlong(d, own, places, flip, wanted, which < 2);
-      place[which] = axis;
+    const auto lay = [&](int which, int own, std::size_t places, bool flip,
+                       const std::vector<std::size_t>& wanted) {
+      block.lines[which] = { axis, 0, this->tapsAlong(d, own, places, flip, wanted, which < 2) };
     };
     if (d == grid.time || kind == Axis::Time)
     {
-      start[axis] = std::min(region.time, size - 1);
+      block.start[axis] = std::min(region.time, this->File.File.sizeOf(variable, axis) - 1);
     }
     else if (d == grid.z || kind == Axis::Vertical)
     {
@@ -140,72 +133,76 @@ std::vector<T> FieldReader::read(
       lay(0, grid.x, grid.nx, grid.flipX, region.columns);
     }
   }
-  for (int which = 0; which < 3; ++which)
+  return block;
+}
+
+void FieldReader::fit(const FileVariable& variable, Block& block) const
+{
+  const std::size_t rank = variable.dimensions.size();
+  for (Line& line : block.lines)
   {
-    if (place[which] == rank || taps[which].empty())
+    if (line.axis == rank || line.taps.empty())
     {
       continue;
     }
-    std::size_t low = taps[which][0].low;
+    std::size_t low = line.taps[0].low;
     std::size_t high = low;
-    for (const Tap& tap : taps[which])
+    for (const Tap& tap : line.taps)
     {
       low = std::min({ low, tap.low, tap.high });
       high = std::max({ high, tap.low, tap.high });
     }
-    if (high >= this->File.File.sizeOf(variable, place[which]))
+    if (high >= this->File.File.sizeOf(variable, line.axis))
     {
       throw ReadError("variable " + variable.name + ": it is shorter than the grid of " +
         this->File.master().name + "; name another one with SetVariableName");
     }
-    start[place[which]] = low;
-    count[place[which]] = high - low + 1;
-    for (Tap& tap : taps[which])
+    block.start[line.axis] = low;
+    block.count[line.axis] = high - low + 1;
+    for (Tap& tap : line.taps)
     {
       tap.low -= low;
       tap.high -= low;
     }
   }
-  const std::vector<double> raw = this->File.File.read(variable, start, count);
-  std::size_t stride[3] = { 0, 0, 0 };
   std::size_t step = 1;
-  for (std::size_t axis = rank; axis-- > 0;)
+  for (std::size_t axis = rank; axis-- > 0; step *= block.count[axis])
   {
-    for (int which = 0; which < 3; ++which)
+    for (Line& line : block.lines)
     {
-      stride[which] = place[which] == axis ? step : stride[which];
+      line.stride = line.axis == axis ? step : line.stride;
     }
-    step *= count[axis];
   }
+}
+
+template <class T>
+std::vector<T> FieldReader::read(
+  const RoleVariable& role, const Region& region, const std::vector<std::size_t>& levels) const
+{
+  Block block = this->blockOf(*role.variable, region, levels);
+  this->fit(*role.variable, block);
+  const std::vector<double> raw = this->File.File.read(*role.variable, block.start, block.count);
   const std::size_t nx = region.columns.size();
   const std::size_t ny = region.rows.size();
   std::vector<T> values(nx * ny * levels.size());
   const UnitConversion& unit = role.conversion;
+  const Line& x = block.lines[0];
+  const Line& y = block.lines[1];
+  const Line& z = block.lines[2];
   vtkSMPTools::For(0, static_cast<vtkIdType>(ny * levels.size()),
-    [&values, &taps, &stride, &raw, unit, nx, ny](vtkIdType first, vtkIdType last)
+    [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType line = first; line < last; ++line)
       {
-        const Tap& ty = taps[1][static_cast<std::size_t>(line) % ny];
-        const Tap& tz = taps[2][static_cast<std::size_t>(line) / ny];
+        const Tap& ty = y.taps[static_cast<std::size_t>(line) % ny];
+        const Tap& tz = z.taps[static_cast<std::size_t>(line) / ny];
         T* out = values.data() + static_cast<std::size_t>(line) * nx;
         for (std::size_t i = 0; i < nx; ++i)
         {
-          const Tap& tx = taps[0][i];
           const auto alongX = [&](std::size_t base)
-          {
-            const double a = raw[base + tx.low * stride[0]];
-            return tx.weight == 0 ? a : a + tx.weight * (raw[base + tx.high * stride[0]] - a);
-          };
-          const auto alongY = [&](std::size_t base)
-          {
-            const double a = alongX(base + ty.low * stride[1]);
-            return ty.weight == 0 ? a : a + ty.weight * (alongX(base + ty.high * stride[1]) - a);
-          };
-          const double a = alongY(tz.low * stride[2]);
-          const double value =
-            tz.weight == 0 ? a : a + tz.weight * (alongY(tz.high * stride[2]) - a);
-          out[i] = static_cast<T>(unit.scale * value + unit.offset);
+          { return mean(x.taps[i], x.stride, base, [&](std::size_t at) { return raw[at]; }); };
+          const auto alongY = [&](std::size_t base) { return mean(ty, y.stride, base, alongX); };
+          out[i] = static_cast<T>(unit.scale * mean(tz, z.stride, 0, alongY) + unit.offset);
         }
       }
     });

@@ -47,9 +47,27 @@ private:
     double weight;
   };
   using Taps = std::vector<Tap>;
+  /// A line of wanted places along one direction of the grid.
+  struct Line
+  {
+    std::size_t axis;   ///< of the variable; its rank if it does not have this direction
+    std::size_t stride; ///< in the values read
+    Taps taps;
+  };
+  /// What is read of a variable.
+  struct Block
+  {
+    std::vector<std::size_t> start;
+    std::vector<std::size_t> count;
+    Line lines[3]; ///< x, y, z
+  };
   template <class T>
   std::vector<T> read(
     const RoleVariable& role, const Region& region, const std::vector<std::size_t>& levels) const;
+  Block blockOf(const FileVariable& variable, const Region& region,
+    const std::vector<std::size_t>& levels) const;
+  /// Shrink the block to the places that the taps need.
+  void fit(const FileVariable& variable, Block& block) const;
   Taps tapsAlong(int dimension, int own, std::size_t places, bool flip,
     const std::vector<std::size_t>& wanted, bool horizontal) const;
   bool tapByCoordinate(int dimension, int own, bool periodic, Taps& taps) const;
