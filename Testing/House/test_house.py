@@ -1,11 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """The house check finds each kind of breach, and nothing in a house in order."""
-import pathlib
-import tempfile
 import unittest
 
 from house import LINES, TOP, breaches
+from planted import found_in
 
 SPDX = "// SPDX-License-Identifier: BSD-3-Clause\n"
 IN_ORDER = {
@@ -34,27 +33,18 @@ BREACHES = [
 ]
 
 
-def found_in(files):
-    with tempfile.TemporaryDirectory() as folder:
-        for name, text in files.items():
-            path = pathlib.Path(folder, name)
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text)
-        return list(breaches(folder))
-
-
 class House(unittest.TestCase):
     def test_house_in_order(self):
-        self.assertEqual(found_in(IN_ORDER), [])
+        self.assertEqual(found_in(breaches, IN_ORDER), [])
 
     def test_each_planted_breach_is_found(self):
         for name, text, what in BREACHES:
             with self.subTest(name=name):
-                self.assertTrue(any(what in line for line in found_in({**IN_ORDER, name: text})))
+                self.assertTrue(any(what in line for line in found_in(breaches, {**IN_ORDER, name: text})))
 
     def test_missing_file_is_found(self):
         files = {name: text for name, text in IN_ORDER.items() if name != "LICENSE"}
-        self.assertEqual(found_in(files), ["LICENSE: missing at the top level"])
+        self.assertEqual(found_in(breaches, files), ["LICENSE: missing at the top level"])
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CloudTexture.h"
+#include "FogBall.h"
 #include "RenderingTest.h"
 #include "vtkCellArray.h"
 #include "vtkCloudCellVolume.h"
@@ -20,45 +21,6 @@
 
 namespace
 {
-/// A uniform ball of glowing fog about the origin.
-class FogBall : public vtkCloudBody
-{
-public:
-  static FogBall* New();
-  vtkTypeMacro(FogBall, vtkCloudBody);
-  double Radius = 1;
-  double Extinction = 1;
-  double Glow = 1;
-
-  bool Prepare(const nephoscope::Camera&) override { return true; }
-  void Emit(const nephoscope::Camera& camera, nephoscope::DeepTile& tile) const override
-  {
-    const nephoscope::TileExtent& e = tile.extent();
-    for (int y = e.y0; y < e.y0 + e.height; ++y)
-    {
-      for (int x = e.x0; x < e.x0 + e.width; ++x)
-      {
-        const nephoscope::Ray ray = camera.ray(x + 0.5, y + 0.5);
-        const double middle = -dot(ray.origin, ray.direction);
-        const double miss2 = dot(ray.origin, ray.origin) - middle * middle;
-        const double half2 = this->Radius * this->Radius - miss2;
-        if (half2 > 0)
-        {
-          const double half = std::sqrt(half2);
-          const auto tau = static_cast<float>(2 * half * this->Extinction);
-          const auto light = static_cast<float>(-this->Glow * std::expm1(-tau));
-          tile.add(
-            x, y, { middle - half, middle + half, { tau, tau, tau }, { light, light, light } });
-        }
-      }
-    }
-  }
-
-protected:
-  FogBall() { this->SetNumberOfInputPorts(0); }
-};
-vtkStandardNewMacro(FogBall);
-
 /// A rectangle from a corner and two edges, in cells x cells pairs of triangles; normals u x v.
 vtkSmartPointer<vtkPolyData> sheet(const nephoscope::Vector3& corner, const nephoscope::Vector3& u,
   const nephoscope::Vector3& v, int cells)
@@ -318,7 +280,7 @@ TEST_F(CloudSurface, TranslucentSurfacesAroundAndInAVolumeMakeTheHandComputedPix
   }
   vtkNew<FogBall> ball;
   ball->Extinction = std::log(2.0);
-  ball->Glow = 0.6;
+  std::fill_n(ball->Glow, 3, 0.6);
   vtkNew<vtkCloudCellVolume> cells;
   cells->SetInputData(uniformBox());
   cells->SetFullCoverExtinction(std::log(2.0));

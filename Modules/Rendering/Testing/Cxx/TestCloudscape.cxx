@@ -1,61 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Camera.h"
 #include "CloudArrays.h"
-#include "DeepTile.h"
+#include "FogBall.h"
 #include "vtkCamera.h"
-#include "vtkCloudBody.h"
 #include "vtkCloudGradedBackdrop.h"
 #include "vtkCloudscape.h"
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
 #include "vtkTestErrorObserver.h"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 namespace
 {
-/// A uniform ball of glowing fog about the origin, seen by the parallel or perspective rays themselves.
-class FogBall : public vtkCloudBody
-{
-public:
-  static FogBall* New();
-  vtkTypeMacro(FogBall, vtkCloudBody);
-  double Radius = 1;
-  double Extinction = 1;
-  bool Drawable = true;
-
-  bool Prepare(const nephoscope::Camera&) override { return this->Drawable; }
-  void Emit(const nephoscope::Camera& camera, nephoscope::DeepTile& tile) const override
-  {
-    const nephoscope::TileExtent& e = tile.extent();
-    for (int y = e.y0; y < e.y0 + e.height; ++y)
-    {
-      for (int x = e.x0; x < e.x0 + e.width; ++x)
-      {
-        const nephoscope::Ray ray = camera.ray(x + 0.5, y + 0.5);
-        const double middle = -dot(ray.origin, ray.direction);
-        const double miss2 = dot(ray.origin, ray.origin) - middle * middle;
-        const double half2 = this->Radius * this->Radius - miss2;
-        if (half2 > 0)
-        {
-          const double half = std::sqrt(half2);
-          const auto tau = static_cast<float>(2 * half * this->Extinction);
-          const auto light = static_cast<float>(-std::expm1(-tau));
-          tile.add(x, y, { middle - half, middle + half, { tau, tau, tau }, { light, 0, 0 } });
-        }
-      }
-    }
-  }
-};
-vtkStandardNewMacro(FogBall);
-
 double chord(const nephoscope::Ray& ray)
 {
   const double middle = -dot(ray.origin, ray.direction);
@@ -69,6 +29,7 @@ class Cloudscape : public testing::Test
 protected:
   void SetUp() override
   {
+    this->Ball->Glow[1] = this->Ball->Glow[2] = 0;
     this->Camera->SetPosition(0, -5, 0);
     this->Camera->SetFocalPoint(0, 0, 0);
     this->Camera->SetViewUp(0, 0, 1);

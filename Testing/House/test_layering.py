@@ -1,11 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """The layering check finds each kind of breach, and nothing in a tree without one."""
-import pathlib
-import tempfile
 import unittest
 
 from layering import breaches
+from planted import found_in
 
 CLEAN = {
     "Modules/Kernels/Optics.h": "#include <cmath>\n",
@@ -44,23 +43,14 @@ BREACHES = [
 ]
 
 
-def found_in(files):
-    with tempfile.TemporaryDirectory() as folder:
-        for name, text in files.items():
-            path = pathlib.Path(folder, name)
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text)
-        return list(breaches(folder))
-
-
 class Layering(unittest.TestCase):
     def test_clean_tree_has_no_breach(self):
-        self.assertEqual(found_in(CLEAN), [])
+        self.assertEqual(found_in(breaches, CLEAN), [])
 
     def test_each_planted_breach_is_found_alone(self):
         for name, text, what in BREACHES:
             with self.subTest(name=name, text=text):
-                lines = found_in({**CLEAN, name: text})
+                lines = found_in(breaches, {**CLEAN, name: text})
                 self.assertTrue(lines)
                 self.assertTrue(all(line.startswith(name + ": ") for line in lines), lines)
                 self.assertTrue(any(what in line for line in lines), lines)
