@@ -23,15 +23,21 @@ struct Ray
 /// A point as the camera sees it.
 struct Projected
 {
-  double x = 0;     ///< pixels from the left
-  double y = 0;     ///< pixels from below
-  double depth = 0; ///< along the viewing axis, scene units; not in front of the eye where <= 0
+  double x = 0; ///< pixels from the left
+  double y = 0; ///< pixels from below
+  double depth =
+    0; ///< along the viewing axis, scene units; not in front of the eye where <= 0; cylindrical: from the axis
 };
 
 /**
- * @brief A pinhole or a parallel camera over an image of width x height pixels.
+ * @brief A pinhole, a parallel or a cylindrical camera over an image of width x height pixels.
  *
- * The view angle is vertical, as vtkCamera's; pixels are square.
+ * The view angle of a pinhole is vertical, as vtkCamera's; pixels are square.
+ *
+ * A cylindrical picture (Max 1986, figure 11) lies on a cylinder about `up` through the eye: with a = pixel (x - width/2) the
+ * azimuth to the right of the target and b the slope, height over distance from the axis, the ray goes along
+ * cos a forward + sin a right + b up, b = (the target's slope) + pixel (y - height/2). A column of pixels is a plane through the
+ * axis; straight lines across columns are curves, so that what is drawn by projecting its corners cannot be in it.
  */
 class Camera
 {
@@ -46,11 +52,20 @@ public:
   /// Parallel camera: rays start in the plane through `eye`; halfHeight is half the image's height in scene units.
   static Camera parallel(const Vector3& eye, const Vector3& target, const Vector3& up,
     double halfHeight, int width, int height);
+  /// Cylindrical camera: the axis is `up`, angleAcross the picture's width, degrees in (0, 360].
+  static Camera cylindrical(const Vector3& eye, const Vector3& target, const Vector3& up,
+    double angleAcross, int width, int height);
 
   Ray ray(double x, double y) const
   {
     const double u = (x - this->HalfWidth) * this->Pixel;
     const double v = (y - this->HalfHeight) * this->Pixel;
+    if (this->Cylindrical)
+    {
+      return { this->Eye,
+        normalized(
+          std::cos(u) * this->Forward + std::sin(u) * this->Right + (this->Slope + v) * this->Up) };
+    }
     const Vector3 across = u * this->Right + v * this->Up;
     return this->Parallel ? Ray{ this->Eye + across, this->Forward }
                           : Ray{ this->Eye, normalized(this->Forward + across) };
@@ -59,6 +74,14 @@ public:
   Projected project(const Vector3& point) const
   {
     const Vector3 d = point - this->Eye;
+    if (this->Cylindrical)
+    {
+      const double ahead = dot(d, this->Forward);
+      const double aside = dot(d, this->Right);
+      const double radius = std::hypot(ahead, aside);
+      return { this->HalfWidth + std::atan2(aside, ahead) / this->Pixel,
+        this->HalfHeight + (dot(d, this->Up) / radius - this->Slope) / this->Pixel, radius };
+    }
     const double depth = dot(d, this->Forward);
     const double scale = 1 / (this->Pixel * (this->Parallel ? 1 : depth));
     return { this->HalfWidth + dot(d, this->Right) * scale,
@@ -74,10 +97,14 @@ public:
   int width() const { return this->Width; }
   int height() const { return this->Height; }
   bool isParallel() const { return this->Parallel; }
+  bool isCylindrical() const { return this->Cylindrical; }
   const Vector3& eye() const { return this->Eye; }
-  const Vector3& forward() const { return this->Forward; } ///< unit viewing axis
-  const Vector3& right() const { return this->Right; }     ///< unit, along rows
-  const Vector3& up() const { return this->Up; }           ///< unit, along columns
+  const Vector3& forward() const
+  {
+    return this->Forward;
+  } ///< unit viewing axis, of a cylinder across its axis
+  const Vector3& right() const { return this->Right; } ///< unit, along rows
+  const Vector3& up() const { return this->Up; }       ///< unit, along columns
   double pixel() const
   {
     return this->Pixel;
@@ -91,11 +118,13 @@ private:
   Vector3 Right;
   Vector3 Up;
   double Pixel = 1;
+  double Slope = 0; // of the target as seen from the eye; cylindrical only
   double HalfWidth;
   double HalfHeight;
   int Width;
   int Height;
   bool Parallel = false;
+  bool Cylindrical = false;
 };
 }
 #endif

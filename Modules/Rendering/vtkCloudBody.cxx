@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCloudBody.h"
 
+#include "Camera.h"
 #include "vtkDataObject.h"
 
 #include <algorithm>
@@ -30,4 +31,17 @@ vtkMTimeType vtkCloudBody::GetInputsMTime()
     }
   }
   return newest;
+}
+
+bool vtkCloudBody::IsFlat(const nephoscope::Camera& camera)
+{
+  if (camera.isCylindrical())
+  {
+    vtkErrorMacro("A " << this->GetClassName()
+                       << " is drawn by projecting its cells, whose edges are not straight in a "
+                          "cylindrical picture; "
+                          "choose a perspective or parallel camera.");
+    return false;
+  }
+  return true;
 }

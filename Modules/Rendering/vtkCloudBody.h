@@ -60,6 +60,12 @@ protected:
   /// The newer of what the body and its inputs' data were last changed.
   vtkMTimeType GetInputsMTime();
 
+#ifndef __VTK_WRAP__
+  /// For bodies that are drawn by projecting corners: whether the picture is flat, which a cylindrical one is not; vtkErrorMacro
+  /// if it is not.
+  bool IsFlat(const nephoscope::Camera& camera);
+#endif
+
 private:
   vtkCloudBody(const vtkCloudBody&) = delete;
   void operator=(const vtkCloudBody&) = delete;

@@ -210,6 +210,10 @@ bool vtkCloudCellVolume::ReadGrid()
 
 bool vtkCloudCellVolume::Prepare(const nephoscope::Camera& camera)
 {
+  if (!this->IsFlat(camera))
+  {
+    return false;
+  }
   Internals& data = *this->Data;
   const vtkMTimeType newest = this->GetInputsMTime();
   if (data.Read < newest)

@@ -206,6 +206,10 @@ int vtkCloudSurface::FillInputPortInformation(int, vtkInformation* info)
 
 bool vtkCloudSurface::Prepare(const nephoscope::Camera& camera)
 {
+  if (!this->IsFlat(camera))
+  {
+    return false;
+  }
   vtkPolyData* const data = vtkPolyData::SafeDownCast(this->GetInputDataObject(0, 0));
   if (!data)
   {

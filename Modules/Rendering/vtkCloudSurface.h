@@ -22,7 +22,7 @@
  *          The texture is nephoscope::CloudTexture, evaluated for each hit; its footprint is that of the pixel on the
  *          slanted surface. Gardner's eq. 11 frays the outline of ellipsoids; here g = (n . v)^2, which is the same for a
  *          sphere seen from afar.
- * Errors   input that is not vtkPolyData, or that has over 2^32 points or corners: vtkErrorMacro, nothing is drawn.
+ * Errors   input that is not vtkPolyData, or that has over 2^32 points or corners, a cylindrical camera: vtkErrorMacro, nothing is drawn.
  * Cost     O(points + triangles + hits); sorting and emission are parallel, copying the triangles is not. About 100
  *          bytes a point and 40 bytes a visible triangle.
  * Limits   vertices, lines and strips are ignored; triangles with a corner that is not finite, or without an area on

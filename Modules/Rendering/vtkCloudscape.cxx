@@ -37,11 +37,15 @@ nephoscope::Vector3 vector(const double v[3])
   return { v[0], v[1], v[2] };
 }
 
-nephoscope::Camera cameraOf(vtkCamera* camera, const int size[2])
+nephoscope::Camera cameraOf(vtkCamera* camera, double cylinderAngle, const int size[2])
 {
   const nephoscope::Vector3 eye = vector(camera->GetPosition());
   const nephoscope::Vector3 target = vector(camera->GetFocalPoint());
   const nephoscope::Vector3 up = vector(camera->GetViewUp());
+  if (cylinderAngle > 0)
+  {
+    return nephoscope::Camera::cylindrical(eye, target, up, cylinderAngle, size[0], size[1]);
+  }
   return camera->GetParallelProjection()
     ? nephoscope::Camera::parallel(eye, target, up, camera->GetParallelScale(), size[0], size[1])
     : nephoscope::Camera::perspective(eye, target, up, camera->GetViewAngle(), size[0], size[1]);
@@ -343,7 +347,7 @@ int vtkCloudscape::RequestData(
   const double updated = vtkTimerLog::GetUniversalTime();
 
   const int rays[2] = { this->Samples * this->Size[0], this->Samples * this->Size[1] };
-  const nephoscope::Camera camera = cameraOf(this->Camera, rays);
+  const nephoscope::Camera camera = cameraOf(this->Camera, this->CylinderAngle, rays);
   std::vector<vtkCloudBody*> bodies(this->Bodies.begin(), this->Bodies.end());
   std::stable_partition(
     bodies.begin(), bodies.end(), [](const vtkCloudBody* body) { return body->IsOpaque(); });
@@ -385,6 +389,7 @@ void vtkCloudscape::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Size: " << this->Size[0] << " x " << this->Size[1] << '\n';
+  os << indent << "CylinderAngle: " << this->CylinderAngle << '\n';
   os << indent << "TileSize: " << this->TileSize << '\n';
   os << indent << "Samples: " << this->Samples << '\n';
   os << indent << "Camera: " << this->Camera.Get() << '\n';

@@ -52,6 +52,14 @@ public:
   ///@}
 
   ///@{
+  /// Draw on a cylinder about the camera's view-up through its position, this many degrees wide, above 0 to 360, the focal
+  /// point in the picture's middle; pixels are square, so the height follows from Size. 0: the camera's own projection.
+  /// vtkCloudSurface and vtkCloudCellVolume refuse it. Default 0.
+  vtkSetClampMacro(CylinderAngle, double, 0, 360);
+  vtkGetMacro(CylinderAngle, double);
+  ///@}
+
+  ///@{
   /// Width and height, pixels, 1 to 32768. Default 1024 x 768.
   vtkSetVector2Macro(Size, int);
   vtkGetVector2Macro(Size, int);
@@ -111,6 +119,7 @@ private:
   vtkSmartPointer<vtkCamera> Camera;
   vtkSmartPointer<vtkCloudBackdrop> Backdrop;
   std::vector<vtkSmartPointer<vtkCloudBody>> Bodies;
+  double CylinderAngle = 0;
   int Size[2] = { 1024, 768 };
   int TileSize = 32;
   int Samples = 1;

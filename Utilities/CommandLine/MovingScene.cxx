@@ -40,8 +40,12 @@ MovingScene::MovingScene(const Scene& scene, const std::optional<std::string>& f
   const std::optional<std::string>& to, Progress& progress)
   : Parts(scene)
   , Watch(progress)
-  , Data(readData(atTime(scene, from), progress))
+  , Data(scene.data.file.empty() ? SceneData() : readData(atTime(scene, from), progress))
 {
+  if (scene.data.file.empty())
+  {
+    return;
+  }
   vtkCloudNetCDFReader* const reader = this->Data.reader;
   const int steps = reader->GetNumberOfTimeSteps();
   const int first = timeStepOf(reader, from);

@@ -3,6 +3,8 @@
 
 #include "Failure.h"
 
+#include <algorithm>
+
 namespace nephoscope::program
 {
 namespace
@@ -14,6 +16,21 @@ void requireDirection(const std::optional<Triple>& direction, const std::string&
     throw UsageFailure(what + " is [0, 0, 0], which is no direction; give another");
   }
 }
+
+void requireView(const Scene& scene, const std::string& name)
+{
+  if (!scene.camera.position || !scene.camera.target)
+  {
+    throw UsageFailure(name +
+      ": a scene without data has no middle to look at; give camera: { position: [X, Y, Z], "
+      "target: [X, Y, Z] }");
+  }
+}
+}
+
+bool needsData(const Body& body)
+{
+  return !std::holds_alternative<PlaneBody>(body);
 }
 
 Scene sceneOfStyle(const std::string& style, const std::string& dataFile)
@@ -55,7 +72,11 @@ void validate(const Scene& scene, const std::string& name)
   }
   if (scene.data.file.empty())
   {
-    throw UsageFailure(name + ": the bodies need data; add data: { file: NAME.nc }");
+    if (std::any_of(scene.bodies.begin(), scene.bodies.end(), needsData))
+    {
+      throw UsageFailure(name + ": the bodies need data; add data: { file: NAME.nc }");
+    }
+    requireView(scene, name);
   }
   requireDirection(scene.camera.up, name + ": camera: 'up'");
   requireDirection(scene.light.towardSun, name + ": light: 'towardSun'");

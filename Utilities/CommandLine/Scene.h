@@ -47,6 +47,7 @@ struct CameraView
   std::optional<Triple> target;
   std::optional<Triple> up;
   double viewAngle = 30;
+  std::optional<double> cylinder; ///< width of a cylindrical picture
 };
 
 /// What the camera and the sun are at one moment of an animation; what is not given runs on between its neighbours.
@@ -158,7 +159,10 @@ struct Scene
 /// The scene of a style for a data file: surface, texture or volume, with ground under it.
 Scene sceneOfStyle(const std::string& style, const std::string& dataFile);
 
-/// @throw UsageFailure for what a scene cannot be, such as a scene without data
+/// Whether a body is made of the data of a file.
+bool needsData(const Body& body);
+
+/// @throw UsageFailure for what a scene cannot be, such as clouds of data without data
 void validate(const Scene& scene, const std::string& name);
 }
 #endif

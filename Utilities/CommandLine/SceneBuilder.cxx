@@ -56,7 +56,7 @@ public:
     , Lie(lie)
   {
     this->Built.scape = vtkSmartPointer<vtkCloudscape>::New();
-    this->Built.cells = grid->GetNumberOfCells();
+    this->Built.cells = grid ? grid->GetNumberOfCells() : 0;
   }
 
   void lay(bool addGround);
@@ -155,6 +155,7 @@ void Builder::lay(bool addGround)
   const auto camera = cameraOf(this->Parts.camera, this->Lie, this->Parts.picture.size);
   this->TowardSun = towardSunOf(this->Parts.light, this->Lie, camera);
   this->Built.scape->SetCamera(camera);
+  this->Built.scape->SetCylinderAngle(this->Parts.camera.cylinder.value_or(0));
   this->Built.scape->SetSize(this->Parts.picture.size.data());
   this->Built.scape->SetSamples(this->Parts.picture.samples);
   this->Built.scape->SetBackdrop(backdropOf(this->Parts.backdrop, this->Lie));
@@ -314,7 +315,7 @@ BuiltScene buildScene(const Scene& scene, vtkStructuredGrid* grid, const Extent&
 BuiltScene buildScene(const Scene& scene, bool addGround, Progress& progress)
 {
   Stopwatch clock;
-  const SceneData data = readData(scene, progress);
+  const SceneData data = scene.data.file.empty() ? SceneData() : readData(scene, progress);
   const double readSeconds = clock.lap();
   BuiltScene built = buildScene(scene, data.grid, data.lie, addGround, progress);
   built.readSeconds = readSeconds;

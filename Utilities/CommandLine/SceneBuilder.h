@@ -29,7 +29,7 @@ struct BuiltScene
   vtkIdType triangles = 0; ///< of all surfaces
 };
 
-/// The data of a scene at its time, and how they lie.
+/// The data of a scene at its time, and how they lie; of a scene without data, nothing and a plane in metres.
 struct SceneData
 {
   vtkSmartPointer<vtkCloudNetCDFReader> reader; ///< as the scene wants it; its output is the grid
@@ -40,7 +40,7 @@ struct SceneData
 /// @throw Failure for data that cannot be read or drawn
 SceneData readData(const Scene& scene, Progress& progress);
 
-/// A picture of a grid that has been read. @param lie may be that of another time, so that the view does not depend on clouds
+/// A picture of a grid that has been read, or of no data if `grid` is null. @param lie may be that of another time, so that the view does not depend on clouds
 BuiltScene buildScene(const Scene& scene, vtkStructuredGrid* grid, const Extent& lie,
   bool addGround, Progress& progress);
 

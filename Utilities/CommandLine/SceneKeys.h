@@ -80,6 +80,10 @@ void visitKeys(CameraView& camera, Visitor&& visit)
   visit(
     Key{ "up", "", "direction that points up in the picture", "[0, 0, 1]", -1e6, 1e6 }, camera.up);
   visit(Key{ "viewAngle", "degrees", "vertical angle of view", "30", 0.01, 170 }, camera.viewAngle);
+  visit(Key{ "cylinder", "degrees",
+          "draw on a cylinder about `up` round the eye, this wide, instead of viewAngle", "none",
+          0.01, 360 },
+    camera.cylinder);
 }
 
 template <class Visitor>

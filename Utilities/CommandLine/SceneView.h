@@ -22,9 +22,9 @@ namespace nephoscope::program
 /// How a grid lies in the scene.
 struct Extent
 {
-  std::string geometry;      ///< Map, Globe or Local
-  double planetRadius = 0;   ///< scene units; Globe only
-  double heightScale = 1;    ///< scene units per metre of height
+  std::string geometry = "Local"; ///< Map, Globe or Local
+  double planetRadius = 0;        ///< scene units; Globe only
+  double heightScale = 1;         ///< scene units per metre of height
   double gridStep = 0;       ///< scene units; typical distance of neighbours from south to north
   double bounds[6] = {};     ///< of the troposphere's points, scene units
   bool global = false;       ///< Globe: the points go round

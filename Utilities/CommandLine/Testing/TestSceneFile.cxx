@@ -160,14 +160,10 @@ TEST(SceneFile, TheReferenceIsTheProgramsOwn)
     << "bring Utilities/Doc/scene.md up to date with: nephoscope render --scene-keys";
 }
 
-TEST(SceneFile, EveryGroundNeedsData)
+TEST(SceneFile, AGlobeNeedsData)
 {
-  for (const char* ground : { "globe", "plane" })
-  {
-    EXPECT_NE(failureOf("bodies: [{ type: " + std::string(ground) + " }]")
-                .find("scene.yaml: the bodies need data"),
-      std::string::npos);
-  }
+  EXPECT_NE(failureOf("bodies: [{ type: globe }]").find("scene.yaml: the bodies need data"),
+    std::string::npos);
 }
 
 TEST(SceneFile, DirectionsHaveADirection)
@@ -192,4 +188,16 @@ TEST(SceneFile, IsOneDocumentWithMappingsAsParts)
   EXPECT_NE(failureOf("a: 1\n---\nb: 2\n").find("holds 2 YAML documents"), std::string::npos);
   EXPECT_NE(failureOf("bodies: [surface]").find(":1: a part of 'bodies' must be a mapping"),
     std::string::npos);
+}
+
+TEST(SceneFile, WithoutDataNeedsAView)
+{
+  const std::string plane = "bodies: [{ type: plane }]\n";
+  EXPECT_NE(failureOf(plane).find("give camera: { position: [X, Y, Z], target: [X, Y, Z] }"),
+    std::string::npos);
+  const Scene scene = parseScene(
+    plane + "camera: { position: [0, 0, 9], target: [0, 5, 9], cylinder: 180 }\n", "scene.yaml");
+  EXPECT_TRUE(scene.data.file.empty());
+  EXPECT_EQ(scene.camera.cylinder, 180);
+  EXPECT_FALSE(scene.camera.position == scene.camera.target);
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 using nephoscope::Camera;
+using nephoscope::cross;
 using nephoscope::dot;
 using nephoscope::length;
 using nephoscope::Projected;
@@ -62,4 +63,52 @@ TEST(Camera, UpAlongTheAxisIsReplaced)
     expectRoundTrip(Camera::perspective({ 0, 0, 0 }, axis, axis, 40, 30, 20));
   }
   expectRoundTrip(Camera::perspective({ 1, 2, 3 }, { 1, 2, 3 }, { 0, 0, 0 }, 40, 30, 20));
+}
+
+TEST(Camera, CylinderInvertsRaysAllRound)
+{
+  expectRoundTrip(Camera::cylindrical({ 3, -4, 5 }, { 0, 1, 2 }, { 0, 0, 1 }, 180, 30, 20));
+  expectRoundTrip(Camera::cylindrical({ 3, -4, 5 }, { 0, 1, 9 }, { 1, 2, 3 }, 360, 30, 20));
+  expectRoundTrip(Camera::cylindrical({ 0, 0, 0 }, { 0, 0, 7 }, { 0, 0, 2 }, 90, 30, 20));
+  expectRoundTrip(Camera::cylindrical({ 1, 2, 3 }, { 1, 2, 3 }, { 0, 0, 0 }, 90, 30, 20));
+}
+
+TEST(Camera, CylinderIsEvenInAzimuthAndInSlope)
+{
+  // Looks along +y and upward by a slope of 1/2; z is the axis.
+  const Camera camera = Camera::cylindrical({ 0, 0, 2 }, { 0, 10, 7 }, { 0, 0, 1 }, 180, 180, 100);
+  const double degree = std::acos(-1.0) / 180;
+  for (double x : { 0.0, 37.0, 90.0, 180.0 })
+  {
+    for (double y : { 0.0, 50.0, 99.5 })
+    {
+      const Vector3 d = camera.ray(x, y).direction;
+      EXPECT_NEAR(std::atan2(d[0], d[1]), (x - 90) * degree, 1e-12);
+      EXPECT_NEAR(d[2] / std::hypot(d[0], d[1]), 0.5 + (y - 50) * degree, 1e-12);
+    }
+  }
+  EXPECT_NEAR(camera.ray(0, 50).direction[0], -std::sqrt(0.8), 1e-12); // left is at 90 degrees
+  EXPECT_NEAR(camera.project({ 3, 4, 2 }).depth, 5, 1e-12);
+  EXPECT_TRUE(camera.isCylindrical());
+  EXPECT_FALSE(camera.isParallel());
+}
+
+TEST(Camera, ColumnsOfACylinderArePlanesThroughItsAxis)
+{
+  const Camera camera = Camera::cylindrical({ 1, 2, 3 }, { 5, 9, 4 }, { 1, 1, 4 }, 140, 33, 21);
+  const Vector3 low = camera.ray(4.5, 0).direction;
+  for (double y : { 3.0, 11.0, 21.0 })
+  {
+    EXPECT_NEAR(dot(cross(low, camera.ray(4.5, y).direction), camera.up()), 0, 1e-14);
+  }
+}
+
+TEST(Camera, CylinderHasItsSeamBehindTheEye)
+{
+  const Camera camera = Camera::cylindrical({ 0, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, 360, 72, 40);
+  EXPECT_NEAR(camera.project({ 1e-9, -1, 0 }).x, 72, 1e-6);
+  EXPECT_NEAR(camera.project({ -1e-9, -1, 0 }).x, 0, 1e-6);
+  const Vector3 first = camera.ray(0, 20).direction;
+  const Vector3 last = camera.ray(72, 20).direction;
+  EXPECT_NEAR(length(first - last), 0, 1e-14);
 }
