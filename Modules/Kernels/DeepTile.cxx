@@ -122,6 +122,10 @@ void DeepTile::reset(const TileExtent& extent)
   this->Pixels.clear();
   this->NumberOfPieces = 0;
   this->Sources.clear();
+  this->Last = false;
+  this->OnlyOpaque = true;
+  this->Summing = false;
+  this->NumberOfSummed = 0;
   this->OpaqueAt.assign(static_cast<std::size_t>(extent.width) * extent.height, Infinity);
 }
 
@@ -134,6 +138,31 @@ std::uint32_t DeepTile::addSource(const RGB& source)
     this->Sources.push_back(source);
   }
   return number;
+}
+
+bool DeepTile::startSum(std::uint32_t source)
+{
+  this->Summing = this->Last && !this->DepthWanted && this->OnlyOpaque && this->NumberOfPieces == 0;
+  if (this->Summing)
+  {
+    this->SumSource = source;
+    this->OpticalDepths.assign(
+      static_cast<std::size_t>(this->rowLength()) * this->Extent.height, 0);
+  }
+  return this->Summing;
+}
+
+/// What lies behind the medium whose optical depths were summed is opaque: no part of it is before the medium.
+void DeepTile::putBehindSum(PixelLight& light, double opticalDepth) const
+{
+  const double through = std::exp(-opticalDepth);
+  const double glow = -std::expm1(-opticalDepth);
+  const RGB& source = this->Sources[this->SumSource];
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    light.radiance[c] = static_cast<float>(glow * source[c] + through * light.radiance[c]);
+    light.transmittance[c] = static_cast<float>(through * light.transmittance[c]);
+  }
 }
 
 void DeepTile::makeLayers(const Segment* begin, const Segment* end)
@@ -277,6 +306,15 @@ void DeepTile::composite(std::vector<PixelLight>& light)
     const std::size_t last = this->PieceStarts[p];
     light[p] = this->compositeAny(this->Sorted.data() + begin, this->Sorted.data() + end,
       this->SortedPieces.data() + first, this->SortedPieces.data() + last);
+    if (this->Summing)
+    {
+      const auto width = static_cast<std::size_t>(this->Extent.width);
+      this->putBehindSum(light[p], this->OpticalDepths[p / width * this->rowLength() + p % width]);
+    }
+    if (!this->DepthWanted)
+    {
+      light[p].depth = Infinity;
+    }
     begin = end;
     first = last;
   }

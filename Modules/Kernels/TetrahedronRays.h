@@ -16,7 +16,7 @@
  * they are given, so both tetrahedra find the same k to the last bit; give vertices in a global order. Rays are
  * displaced by a billionth of a pixel, so that none runs in a face of a grid that is aligned with the image.
  *
- * @sa TetrahedralSplit.h, vtkCloudCellVolume, TestTetrahedronRays.cxx
+ * @sa TetrahedronSum.h, TetrahedralSplit.h, vtkCloudCellVolume, TestTetrahedronRays.cxx
  */
 #ifndef TetrahedronRays_h
 #define TetrahedronRays_h
@@ -143,6 +143,11 @@ public:
     return std::max(this->Least, std::min(s, this->Greatest));
   }
 
+  const PixelLinear& varying() const { return this->Varying; }
+  double fixed() const { return this->Fixed; }
+  double least() const { return this->Least; }
+  double greatest() const { return this->Greatest; }
+
 private:
   PixelLinear Varying;
   double Fixed;
@@ -215,6 +220,14 @@ public:
   {
     return this->Density.at<Parallel>(u, v, depth);
   }
+
+  /// The planes as k(u, v): first the enters() that rays enter by, then those that they leave by.
+  const PixelLinear& plane(int f) const { return this->Planes[f]; }
+  int enters() const { return this->Enters; }
+  /// The depths of the vertices are within, and >= 0.
+  double nearest() const { return this->Nearest; }
+  double farthest() const { return this->Farthest; }
+  const RayField& field() const { return this->Density; }
 
 private:
   template <bool Parallel, int NumberEntered, class Visit>

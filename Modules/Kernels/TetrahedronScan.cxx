@@ -21,22 +21,37 @@ void pixelRange(const double (&range)[2], int begin, int end, int& first, int& p
 
 TileRays::TileRays(const RaySpace& space, const DeepTile& tile)
   : Extent(tile.extent())
+  , RowLength(tile.rowLength())
 {
-  this->Pixels.reserve(static_cast<std::size_t>(this->Extent.width) * this->Extent.height);
+  const std::size_t rays = static_cast<std::size_t>(this->RowLength) * this->Extent.height;
+  this->Stretch.reserve(rays);
+  this->LimitDepth.reserve(rays);
+  this->LimitKey.reserve(rays);
   for (int y = this->Extent.y0; y < this->Extent.y0 + this->Extent.height; ++y)
   {
     for (int x = this->Extent.x0; x < this->Extent.x0 + this->Extent.width; ++x)
     {
-      const double stretch = space.stretch(space.u(x), space.v(y));
-      const double limit = tile.opaqueAt(x, y) / stretch;
-      this->Pixels.push_back({ stretch, limit });
-      this->Limit = std::max(this->Limit, limit);
+      this->addRay(space, tile, x, y);
     }
+    this->Stretch.resize(this->Stretch.size() + DeepTile::RowPadding, 1);
+    this->LimitDepth.resize(this->LimitDepth.size() + DeepTile::RowPadding, 0);
+    this->LimitKey.resize(this->LimitKey.size() + DeepTile::RowPadding, -ImageBounds::Infinity);
   }
-  for (int x = this->Extent.x0; x < this->Extent.x0 + this->Extent.width; ++x)
+  for (int x = 0; x < this->RowLength; ++x)
   {
-    this->U.push_back(space.u(x));
+    this->U.push_back(space.u(this->Extent.x0 + x));
   }
+}
+
+void TileRays::addRay(const RaySpace& space, const DeepTile& tile, int x, int y)
+{
+  const double stretch = space.stretch(space.u(x), space.v(y));
+  const double limit = tile.opaqueAt(x, y) / stretch;
+  this->Stretch.push_back(stretch);
+  this->LimitDepth.push_back(limit);
+  const double key = limit > 0 ? -1 / limit : -ImageBounds::Infinity;
+  this->LimitKey.push_back(space.isParallel() ? limit : key);
+  this->Limit = std::max(this->Limit, limit);
 }
 
 PixelBox ImageBounds::pixels(const TileExtent& within) const
@@ -105,26 +120,39 @@ void TetrahedronScan::emit(DeepTile& tile, const TileRays& rays, std::uint32_t s
   if (color[0])
   {
     this->emitColored<Parallel>(tile, rays, tetrahedron, box, q, color);
-    return;
   }
+  else if (tile.isSum())
+  {
+    tile.countSummed(sumOpticalDepths(tetrahedron, Parallel, rays.row(box.x0, box.y0),
+      { tile.opticalDepths(box.x0, box.y0), tile.rowLength(), box.x1 - box.x0, box.y1 - box.y0,
+        this->Space.v(box.y0) }));
+  }
+  else
+  {
+    this->emitPieces<Parallel>(tile, rays, source, tetrahedron, box);
+  }
+}
+
+template <bool Parallel>
+void TetrahedronScan::emitPieces(DeepTile& tile, const TileRays& rays, std::uint32_t source,
+  const TetrahedronRays& tetrahedron, const PixelBox& box) const
+{
   for (int y = box.y0; y < box.y1; ++y)
   {
     const double v = this->Space.v(y);
-    const double* const u = rays.u() + (box.x0 - rays.extent().x0);
-    const TileRays::Pixel* const pixels = &rays.pixel(box.x0, y);
-    tetrahedron.meetRow<Parallel>(u, box.x1 - box.x0, v,
+    const RayRow row = rays.row(box.x0, y);
+    tetrahedron.meetRow<Parallel>(row.u, box.x1 - box.x0, v,
       [&](int i, const RayPiece& piece)
       {
-        const TileRays::Pixel& pixel = pixels[i];
-        const double z1 = std::min(piece.farDepth, pixel.limit);
-        const double s0 = tetrahedron.density<Parallel>(u[i], v, piece.nearDepth);
-        const double s1 = tetrahedron.density<Parallel>(u[i], v, z1);
-        const auto length = static_cast<float>((z1 - piece.nearDepth) * pixel.stretch);
+        const double z1 = std::min(piece.farDepth, row.limitDepth[i]);
+        const double s0 = tetrahedron.density<Parallel>(row.u[i], v, piece.nearDepth);
+        const double s1 = tetrahedron.density<Parallel>(row.u[i], v, z1);
+        const auto length = static_cast<float>((z1 - piece.nearDepth) * row.stretch[i]);
         const auto tau =
-          static_cast<float>(0.5 * (z1 - piece.nearDepth) * pixel.stretch * (s0 + s1));
+          static_cast<float>(0.5 * (z1 - piece.nearDepth) * row.stretch[i] * (s0 + s1));
         if (tau > 0 && length > 0)
         {
-          tile.addPiece(box.x0 + i, y, source, piece.nearDepth * pixel.stretch, length, tau,
+          tile.addPiece(box.x0 + i, y, source, piece.nearDepth * row.stretch[i], length, tau,
             static_cast<float>((s1 - s0) / (s0 + s1)));
         }
       });
@@ -144,16 +172,15 @@ void TetrahedronScan::emitColored(DeepTile& tile, const TileRays& rays,
   for (int y = box.y0; y < box.y1; ++y)
   {
     const double v = this->Space.v(y);
-    const double* const u = rays.u() + (box.x0 - rays.extent().x0);
-    const TileRays::Pixel* const pixels = &rays.pixel(box.x0, y);
-    tetrahedron.meetRow<Parallel>(u, box.x1 - box.x0, v,
+    const RayRow row = rays.row(box.x0, y);
+    tetrahedron.meetRow<Parallel>(row.u, box.x1 - box.x0, v,
       [&](int i, const RayPiece& piece)
       {
-        const double stretch = pixels[i].stretch;
+        const double stretch = row.stretch[i];
         const double z0 = piece.nearDepth;
-        const double z1 = std::min(piece.farDepth, pixels[i].limit);
-        const double s0 = tetrahedron.density<Parallel>(u[i], v, z0);
-        const double s1 = tetrahedron.density<Parallel>(u[i], v, z1);
+        const double z1 = std::min(piece.farDepth, row.limitDepth[i]);
+        const double s0 = tetrahedron.density<Parallel>(row.u[i], v, z0);
+        const double s1 = tetrahedron.density<Parallel>(row.u[i], v, z1);
         const double tau = 0.5 * (z1 - z0) * stretch * (s0 + s1);
         const double skew = (s1 - s0) / (s0 + s1);
         if (static_cast<float>(tau) > 0)
@@ -164,9 +191,9 @@ void TetrahedronScan::emitColored(DeepTile& tile, const TileRays& rays,
             static_cast<float>(skew) };
           for (std::size_t c = 0; c < 3; ++c)
           {
-            segment.radiance[c] =
-              static_cast<float>(weights.nearEnd * fields[c].template at<Parallel>(u[i], v, z0) +
-                weights.farEnd * fields[c].template at<Parallel>(u[i], v, z1));
+            segment.radiance[c] = static_cast<float>(
+              weights.nearEnd * fields[c].template at<Parallel>(row.u[i], v, z0) +
+              weights.farEnd * fields[c].template at<Parallel>(row.u[i], v, z1));
           }
           tile.add(box.x0 + i, y, segment);
         }

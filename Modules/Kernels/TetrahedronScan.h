@@ -5,7 +5,7 @@
  *
  * Each pixel's ray that meets the tetrahedron (TetrahedronRays.h) is one segment with the linear extinction that it has.
  * A cloud of one colour gives pieces of a medium; one of several gives segments whose light has been integrated
- * (LinearEmission.h).
+ * (LinearEmission.h). Where a tile says that order does not matter, optical depths are summed (TetrahedronSum.h).
  *
  * @sa CellColumns.h, TetrahedronMesh.h, vtkCloudCellVolume, vtkCloudVolumeMapper
  */
@@ -15,6 +15,7 @@
 #include "DeepTile.h"
 #include "Segment.h"
 #include "TetrahedronRays.h"
+#include "TetrahedronSum.h"
 #include "Vector3.h"
 
 #include <algorithm>
@@ -36,30 +37,32 @@ struct PixelBox
   bool empty() const { return this->x0 >= this->x1 || this->y0 >= this->y1; }
 };
 
-/// The rays of a tile's pixels.
+/// The rays of a tile's pixels. Rows are as long as DeepTile::rowLength; rays beyond the width meet nothing.
 class TileRays
 {
 public:
   TileRays(const RaySpace& space, const DeepTile& tile);
 
-  struct Pixel
-  {
-    double stretch; ///< distance along the ray per depth
-    double limit;   ///< depth of what is opaque
-  };
   const TileExtent& extent() const { return this->Extent; }
-  const Pixel& pixel(int x, int y) const
+  /// From a pixel on along its row.
+  RayRow row(int x, int y) const
   {
-    return this->Pixels[static_cast<std::size_t>(y - this->Extent.y0) * this->Extent.width +
-      (x - this->Extent.x0)];
+    const std::ptrdiff_t column = x - this->Extent.x0;
+    const std::ptrdiff_t at = (y - this->Extent.y0) * this->RowLength + column;
+    return { this->U.data() + column, this->Stretch.data() + at, this->LimitDepth.data() + at,
+      this->LimitKey.data() + at };
   }
-  const double* u() const { return this->U.data(); } ///< of the pixels of a row
-  double limit() const { return this->Limit; }       ///< the greatest of the pixels'
+  double limit() const { return this->Limit; } ///< the greatest of the pixels' limit depths
 
 private:
+  void addRay(const RaySpace& space, const DeepTile& tile, int x, int y);
+
   TileExtent Extent;
-  std::vector<Pixel> Pixels;
+  std::ptrdiff_t RowLength;
   std::vector<double> U;
+  std::vector<double> Stretch;
+  std::vector<double> LimitDepth;
+  std::vector<double> LimitKey;
   double Limit = 0;
 };
 
@@ -133,7 +136,7 @@ public:
   }
 
   /**
-   * Add a tetrahedron's segments.
+   * Add a tetrahedron's segments, or to the optical depths of a tile that is a sum.
    * @param corners in an order on which neighbours agree, @param extinction there, >= 0
    * @param color there, or nulls for the `source` of DeepTile::addSource
    */
@@ -143,6 +146,9 @@ public:
     const RGB* const (&color)[4]) const;
 
 private:
+  template <bool Parallel>
+  void emitPieces(DeepTile& tile, const TileRays& rays, std::uint32_t source,
+    const TetrahedronRays& tetrahedron, const PixelBox& box) const;
   static ImageBounds boundsAtEye(const RayCorner* const* corners, std::size_t n);
   template <bool Parallel>
   void emitColored(DeepTile& tile, const TileRays& rays, const TetrahedronRays& tetrahedron,

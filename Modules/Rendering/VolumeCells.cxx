@@ -223,6 +223,10 @@ void VolumeCells::EmitFrom(
   const nephoscope::RaySpace space(camera);
   const nephoscope::TileRays tileRays(space, tile);
   const std::uint32_t source = tile.addSource(this->OneColor);
+  if (cells.color.empty())
+  {
+    tile.startSum(source);
+  }
   Rays rays(cells, space, camera.width(), camera.height());
   this->Bins.ForEach(tile.extent(), tileRays.limit(),
     [this, &tile, &tileRays, source, &rays](std::uint32_t thing)

@@ -260,6 +260,7 @@ void vtkCloudCellVolume::Emit(const nephoscope::Camera& camera, nephoscope::Deep
   const nephoscope::TileRays rays(space, tile);
   const std::uint32_t source = tile.addSource({ static_cast<float>(this->Color[0]),
     static_cast<float>(this->Color[1]), static_cast<float>(this->Color[2]) });
+  tile.startSum(source);
   nephoscope::ColumnRays column(data.Columns, space, camera.width(), camera.height());
   data.Bins.ForEach(tile.extent(), rays.limit(),
     [&data, &tile, &rays, source, &column](std::uint32_t thing)

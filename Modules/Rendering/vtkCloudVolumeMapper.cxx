@@ -277,6 +277,8 @@ void vtkCloudVolumeMapper::DrawTiles(vtkRenderer* renderer)
         const int width = std::min(TileEdge, viewport.Width - x0);
         const int height = std::min(TileEdge, viewport.Height - y0);
         local.Tile.reset({ x0, y0, width, height });
+        local.Tile.setDepthWanted(false);
+        local.Tile.setLast();
         opaque.Hide(local.Tile);
         data.Cells.Emit(camera, local.Tile);
         local.Tile.composite(local.Light);

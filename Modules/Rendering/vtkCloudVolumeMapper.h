@@ -23,7 +23,7 @@
  *          converted. Distances are those after the vtkVolume's matrix.
  * Errors   no points' scalars, several components, other cells, a maximum-intensity blend, an off-centre, oblique or
  *          explicitly given projection, no RenderingVolumeOpenGL2: vtkErrorMacro; the window stays as it was.
- * Cost     as vtkCloudCellVolume; in several colours also a sort of each pixel's segments, 104 bytes each in a tile. The
+ * Cost     as vtkCloudCellVolume without Depth; in several colours also a sort of each pixel's segments, 104 bytes each in a tile. The
  *          window's depths are read and the picture is sent to it in each frame.
  * Limits   Shading, cropping, clipping planes and cell scalars are ignored. Radiance is within 1e-5 of exact before it is
  *          rounded to the window's bits. Depths are the window's: an opaque thing is placed as well as 24 bits between

@@ -123,8 +123,13 @@ private:
       std::min(this->Edge, this->Image.Height - y0) };
     const int n = this->Samples;
     local.Tile.reset({ n * pixels.x0, n * pixels.y0, n * pixels.width, n * pixels.height });
+    local.Tile.setDepthWanted(this->Scape->GetComputeDepth());
     for (const vtkCloudBody* body : this->Bodies)
     {
+      if (body == this->Bodies.back())
+      {
+        local.Tile.setLast();
+      }
       body->Emit(this->Camera, local.Tile);
     }
     this->Segments += static_cast<vtkIdType>(local.Tile.numberOfSegments());
@@ -392,6 +397,7 @@ void vtkCloudscape::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CylinderAngle: " << this->CylinderAngle << '\n';
   os << indent << "TileSize: " << this->TileSize << '\n';
   os << indent << "Samples: " << this->Samples << '\n';
+  os << indent << "ComputeDepth: " << this->ComputeDepth << '\n';
   os << indent << "Camera: " << this->Camera.Get() << '\n';
   os << indent << "Backdrop: " << this->Backdrop.Get() << '\n';
   os << indent << "Bodies: " << this->Bodies.size() << '\n';

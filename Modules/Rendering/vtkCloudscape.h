@@ -79,6 +79,14 @@ public:
   ///@}
 
   ///@{
+  /// Whether to find Depth; without, it is infinity everywhere. Default on. Off, a cell volume that is the only translucent body
+  /// is drawn twice as fast: its parts need no order.
+  vtkSetMacro(ComputeDepth, bool);
+  vtkGetMacro(ComputeDepth, bool);
+  vtkBooleanMacro(ComputeDepth, bool);
+  ///@}
+
+  ///@{
   /// What is behind everything. Default none: black.
   void SetBackdrop(vtkCloudBackdrop* backdrop);
   vtkCloudBackdrop* GetBackdrop() const;
@@ -123,6 +131,7 @@ private:
   int Size[2] = { 1024, 768 };
   int TileSize = 32;
   int Samples = 1;
+  bool ComputeDepth = true;
   vtkIdType NumberOfSegments = 0;
   double PipelineSeconds = 0;
   double PrepareSeconds = 0;

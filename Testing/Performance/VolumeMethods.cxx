@@ -23,9 +23,10 @@ namespace
 class CellVolumeJob : public Job
 {
 public:
-  explicit CellVolumeJob(const Situation& situation)
+  CellVolumeJob(const Situation& situation, bool depth)
     : At(situation)
   {
+    this->Scape->SetComputeDepth(depth);
     vtkNew<vtkCloudCellVolume> volume;
     volume->SetInputData(shell::structuredGrid(situation));
     volume->SetFullCoverExtinction(shell::Extinction);
@@ -57,8 +58,12 @@ private:
   vtkNew<vtkCloudscape> Scape;
 };
 
-const Registration cellVolume({ "vtkCloudCellVolume", "volume", { { "order", "per pixel" } }, true,
-  false, 0, [](const Situation& s) { return std::make_unique<CellVolumeJob>(s); } });
+const Registration cellVolume({ "vtkCloudCellVolume", "volume", { { "order", "any: summed" } },
+  true, false, 0, [](const Situation& s) { return std::make_unique<CellVolumeJob>(s, false); } });
+
+const Registration cellVolumeAndDepth(
+  { "vtkCloudCellVolume", "volume", { { "order", "per pixel" }, { "depth", "too" } }, true, false,
+    0, [](const Situation& s) { return std::make_unique<CellVolumeJob>(s, true); } });
 }
 }
 }

@@ -139,3 +139,38 @@ TEST(DeepTile, DepthInPiecesOfMediaFollowsTheirLinearExtinction)
   EXPECT_NEAR(light[0].depth, std::sqrt(2 * std::log(2.0) / a), 1e-5);
   EXPECT_NEAR(light[0].transmittance[0], std::exp(-a * 200), 1e-6);
 }
+
+TEST(DeepTile, SumsOnlyWhereNothingNeedsAnOrder)
+{
+  DeepTile tile;
+  const auto starts = [&tile](bool last, bool depth, float before)
+  {
+    tile.reset({ 3, 4, 5, 2 });
+    tile.setDepthWanted(depth);
+    tile.add(4, 5, { 1, 1, { before, before, before }, { 7, 7, 7 } });
+    if (last)
+    {
+      tile.setLast();
+    }
+    return tile.startSum(tile.addSource({ 1, 2, 3 }));
+  };
+  EXPECT_FALSE(starts(false, false, Opaque));
+  EXPECT_FALSE(starts(true, true, Opaque));
+  EXPECT_FALSE(starts(true, false, 0.5F));
+  ASSERT_TRUE(starts(true, false, Opaque));
+  EXPECT_TRUE(tile.isSum());
+  *tile.opticalDepths(4, 5) += std::log(2.0);
+  *tile.opticalDepths(7, 4) += std::log(4.0);
+  tile.countSummed(2);
+  EXPECT_EQ(tile.numberOfSegments(), 3U);
+  std::vector<PixelLight> light;
+  tile.composite(light);
+  const float expected[10][2] = { { 0, 1 }, { 0, 1 }, { 0, 1 }, { 0, 1 }, { 1.5F, 0.25F }, { 0, 1 },
+    { 0.5F * 2 + 0.5F * 7, 0 }, { 0, 1 }, { 0, 1 }, { 0, 1 } };
+  for (std::size_t n = 0; n < 10; ++n)
+  {
+    EXPECT_FLOAT_EQ(light[n].radiance[1], expected[n][0]);
+    EXPECT_FLOAT_EQ(light[n].transmittance[1], expected[n][1]);
+    EXPECT_TRUE(std::isinf(light[n].depth));
+  }
+}

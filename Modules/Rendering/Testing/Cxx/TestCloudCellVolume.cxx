@@ -35,6 +35,7 @@ public:
   float Opacity = 0;
   float Light = 0;
 
+  bool IsOpaque() const override { return this->Opacity == 1; }
   bool Prepare(const nephoscope::Camera&) override { return true; }
   void Emit(const nephoscope::Camera&, nephoscope::DeepTile& tile) const override
   {
@@ -122,7 +123,32 @@ protected:
           << "pixel " << pixel;
       }
     }
+    this->CompareWithoutDepth();
     return cloudy;
+  }
+
+  /// Summed in any order, the picture is the same but for its Depth.
+  void CompareWithoutDepth()
+  {
+    const int pixels = this->Scape->GetSize()[0] * this->Scape->GetSize()[1];
+    std::vector<float> light[2];
+    for (const bool depth : { true, false })
+    {
+      this->Scape->SetComputeDepth(depth);
+      this->Scape->Update();
+      for (int n = 0; n < 6 * pixels; ++n)
+      {
+        light[depth].push_back(
+          this->Value(n % 6 < 3 ? nephoscope::arrays::Radiance : nephoscope::arrays::Transmittance,
+            n / 6, n % 3));
+        EXPECT_TRUE(depth || std::isinf(this->Value(nephoscope::arrays::Depth, n / 6, 0)));
+      }
+    }
+    this->Scape->ComputeDepthOn();
+    for (int n = 0; n < 6 * pixels; ++n)
+    {
+      ASSERT_NEAR(light[0][n], light[1][n], 5e-7) << "pixel " << n / 6;
+    }
   }
 
   double DepthTolerance = 1e-5; ///< in the transmittance at Depth, which is a float
@@ -137,21 +163,25 @@ TEST_F(CloudCellVolume, PictureDoesNotDependOnTilesOrThreads)
   this->Volume->SetInputData(grid);
   this->Look({ 0.5, -1.5, 0.8 }, { 0, 0, 0 }, 60);
   this->Scape->SetSize(101, 75);
-  std::vector<float> first;
+  std::vector<float> first[2];
   // First of the tests and from many to few: TBB does not raise its limit again.
   for (int threads : { 4, 2, 1 })
   {
     vtkSMPTools::Initialize(threads);
     this->Scape->SetTileSize(threads == 4 ? 32 : threads == 2 ? 7 : 80);
-    this->Scape->Update();
-    for (int pixel = 0; pixel < 101 * 75; ++pixel)
+    for (const bool depth : { true, false })
     {
-      const float value = this->Value(nephoscope::arrays::Radiance, pixel, 0);
-      if (threads == 4)
+      this->Scape->SetComputeDepth(depth);
+      this->Scape->Update();
+      for (int pixel = 0; pixel < 101 * 75; ++pixel)
       {
-        first.push_back(value);
+        const float value = this->Value(nephoscope::arrays::Radiance, pixel, 0);
+        if (threads == 4)
+        {
+          first[depth].push_back(value);
+        }
+        ASSERT_EQ(value, first[depth][pixel]);
       }
-      ASSERT_EQ(value, first[pixel]);
     }
   }
 }
@@ -338,6 +368,24 @@ TEST_F(CloudCellVolume, SheetsBeforeWithinAndBehindAVolumeByHand)
       this->Value(nephoscope::arrays::Transmittance, pixel, 0), 0.75 * 0.75 * 0.75 * t1 * t2, 1e-6);
     EXPECT_NEAR(this->Value(nephoscope::arrays::Radiance, pixel, 0),
       0.25 * 2 + 0.75 * (1 - t1 + t1 * inner), 2e-6);
+  }
+}
+
+TEST_F(CloudCellVolume, WithoutDepthOtherBodiesAreStillWhereTheyAre)
+{
+  // Opaque within the cloud, so that it is summed before it; then translucent, so that it has to be cut.
+  const auto grid = makeGrid(7, 6, 5, warped, randomDensity(0.05, 5, 1));
+  this->Look({ 4, -5, 3 }, { 0, 0, 0 }, 25);
+  this->Volume->SetInputData(grid);
+  vtkNew<Sheet> sheet;
+  sheet->Distance = 7;
+  sheet->Light = 2;
+  this->Scape->AddBody(sheet);
+  for (const float opacity : { 1.0F, 0.6F })
+  {
+    sheet->Opacity = opacity;
+    sheet->Modified();
+    this->CompareWithoutDepth();
   }
 }
 
