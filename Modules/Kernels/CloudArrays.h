@@ -43,6 +43,10 @@ inline constexpr const char* Transmittance =
 inline constexpr const char* Depth =
   "Depth"; ///< 1 component, scene units along the ray to transmittance 1/2, or +inf
 
+// Point arrays of horizontal grids (vtkImageData of one layer), float.
+inline constexpr const char* SunTransmittance =
+  "SunTransmittance"; ///< 1 component, 0..1, what a cloud plane lets through of the sun; the image's z is the plane's
+
 // Field data that say how a grid lies in the scene.
 inline constexpr const char* Geometry = "Geometry";         ///< string: Map, Globe or Local
 inline constexpr const char* PlanetRadius = "PlanetRadius"; ///< double, scene units; Globe only

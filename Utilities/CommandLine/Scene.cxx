@@ -30,7 +30,7 @@ void requireView(const Scene& scene, const std::string& name)
 
 bool needsData(const Body& body)
 {
-  return !std::holds_alternative<PlaneBody>(body);
+  return !std::holds_alternative<PlaneBody>(body) && !std::holds_alternative<TerrainBody>(body);
 }
 
 Scene sceneOfStyle(const std::string& style, const std::string& dataFile)

@@ -132,7 +132,20 @@ struct PlaneBody : Ground
   double height = 0;
 };
 
-using Body = std::variant<SurfaceBody, TextureBody, VolumeBody, GlobeBody, PlaneBody>;
+/// Made-up hills.
+struct TerrainBody
+{
+  double extent = 30;     ///< km
+  double spacing = 30;    ///< m
+  double wavelength = 12; ///< km
+  double relief = 1800;   ///< m
+  double mean = 60;       ///< m
+  double gain = 0.5;
+  Triple center{ 0, 0, 0 };
+  int seed = 1;
+};
+
+using Body = std::variant<SurfaceBody, TextureBody, VolumeBody, GlobeBody, PlaneBody, TerrainBody>;
 
 /// Haze of one density everywhere.
 struct UniformMedium

@@ -17,6 +17,8 @@
 #include <vtkCloudPlane.h>
 #include <vtkCloudSmooth.h>
 #include <vtkCloudSurface.h>
+#include <vtkCloudTerrain.h>
+#include <vtkCloudTerrainSource.h>
 #include <vtkCloudUniformMedium.h>
 #include <vtkCloudscape.h>
 #include <vtkPointData.h>
@@ -120,6 +122,24 @@ public:
     const vtkNew<vtkCloudPlane> plane;
     plane->SetHeight(body.height * this->Lie.heightScale);
     this->addGround(plane, body);
+  }
+
+  void operator()(const TerrainBody& body)
+  {
+    const vtkNew<vtkCloudTerrainSource> hills;
+    const int points = 1 + static_cast<int>(std::ceil(1000 * body.extent / body.spacing));
+    hills->SetDimensions(points, points);
+    hills->SetSpacing(body.spacing);
+    hills->SetCenter(body.center.data());
+    hills->SetWavelength(1000 * body.wavelength);
+    hills->SetRelief(body.relief);
+    hills->SetMean(body.mean + body.center[2]);
+    hills->SetGain(body.gain);
+    hills->SetSeed(body.seed);
+    const vtkNew<vtkCloudTerrain> terrain;
+    terrain->SetInputConnection(hills->GetOutputPort());
+    this->light(terrain);
+    this->Built.scape->AddBody(terrain);
   }
 
   void operator()(const UniformMedium& medium)

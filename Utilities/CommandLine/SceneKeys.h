@@ -205,6 +205,24 @@ void visitKeys(PlaneBody& body, Visitor&& visit)
 }
 
 template <class Visitor>
+void visitKeys(TerrainBody& body, Visitor&& visit)
+{
+  visit(Key{ "extent", "km", "width of the square that has ground", "30", 0.01, 1e4 }, body.extent);
+  visit(Key{ "spacing", "m", "distance of the grid's points", "30", 0.01, 1e5 }, body.spacing);
+  visit(Key{ "center", "m", "the square's middle; its z raises the hills", "[0, 0, 0]", -1e7, 1e7 },
+    body.center);
+  visit(Key{ "wavelength", "km", "of the largest hills", "12", 1e-3, 1e4 }, body.wavelength);
+  visit(Key{ "relief", "m", "heights lie within about half of it from the mean", "1800", 0, 1e5 },
+    body.relief);
+  visit(Key{ "mean", "m", "mean height; below 0 the sea drowns more land", "60", -1e5, 1e5 },
+    body.mean);
+  visit(
+    Key{ "gain", "1", "roughness: amplitude of each octave over that of the last", "0.5", 0, 1 },
+    body.gain);
+  visit(Key{ "seed", "", "makes hills with equal parameters different", "1", 0, 1e9 }, body.seed);
+}
+
+template <class Visitor>
 void visitKeys(UniformMedium& medium, Visitor&& visit)
 {
   visit(Key{ "extinction", "1/km", "optical depth of a kilometre of the scene", "0", 0, 1e6 },
@@ -222,6 +240,8 @@ void visitTypes(Body*, Visitor&& visit)
   visit("volume", "grid cells as volumes", VolumeBody());
   visit("globe", "the planet, opaque", GlobeBody());
   visit("plane", "flat ground or sea, opaque", PlaneBody());
+  visit(
+    "terrain", "made-up hills, opaque, in the shadow of the height-field clouds", TerrainBody());
 }
 
 template <class Visitor>
