@@ -8,7 +8,7 @@ import argparse
 import sys
 
 from climate.atmosphere import Atmosphere
-from climate.netcdf import Writer
+from climate.netcdf import FIELDS, SURFACE_FIELDS, Writer
 
 
 def arguments(argv):
@@ -17,7 +17,9 @@ def arguments(argv):
     parser.add_argument("--nlat", type=int, default=64, help="points along a meridian, 8 or more (default 64)")
     parser.add_argument("--steps", type=int, default=4, help="time steps (default 4)")
     parser.add_argument("--hours", type=int, default=6, help="hours between steps, a multiple of 3 (default 6)")
-    parser.add_argument("--seed", type=int, default=2, help="of the random numbers (default 2)")
+    parser.add_argument("--seed", type=int, default=6, help="of the random numbers (default 6)")
+    parser.add_argument("--only", nargs="+", choices=[*FIELDS, *SURFACE_FIELDS], metavar="NAME",
+                        help="write these variables and the surface pressure, not all")
     parser.add_argument("-o", "--output", default="sample_climate.nc", help="file to write (default sample_climate.nc)")
     options = parser.parse_args(argv)
     if options.nlon < 16 or options.nlat < 8:
@@ -34,8 +36,10 @@ def main(argv=None):
     atmosphere = Atmosphere(options.nlon, options.nlat, options.seed)
     command = ("sample_climate.py --nlon {0.nlon} --nlat {0.nlat} --steps {0.steps} --hours {0.hours} "
                "--seed {0.seed}").format(options)
+    if options.only:
+        command += " --only " + " ".join(options.only)
     try:
-        writer = Writer(options.output, atmosphere, command)
+        writer = Writer(options.output, atmosphere, command, options.only)
     except OSError as error:
         print(f"sample_climate.py: cannot write {options.output}: {error.strerror}", file=sys.stderr)
         return 1

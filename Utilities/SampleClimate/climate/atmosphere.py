@@ -24,17 +24,17 @@ STRATOSPHERE = 3.0e-6  # its specific humidity, kg/kg
 class Atmosphere:
     """Samples the made-up atmosphere on a grid; `step(time)` returns a dictionary of arrays in SI units."""
 
-    def __init__(self, nlon=128, nlat=64, seed=2):
+    def __init__(self, nlon=128, nlat=64, seed=6):
         rng = np.random.default_rng(seed)
         self.grid = Grid(nlon, nlat)
         self.terrain = Terrain(rng)
         self.flow = Flow(rng)
-        self.humidity = Humidity(rng, self.flow, self.terrain, finest=min(nlon / 4.0, nlat / 2.0))
+        self.humidity = Humidity(rng, self.flow, self.terrain, finest=0.75 * min(nlon / 2.0, nlat))
         lat, lon = self.grid.lat[:, None], self.grid.lon[None, :]
         self.land = self.terrain.land(lat, lon)
         self.altitude = smooth(self.terrain.altitude(lat, lon), self.grid.lat)
         self.position = unit_vectors(lat, lon)
-        self.critical = critical_humidity(FULL_A + FULL_B)
+        self.critical = critical_humidity(FULL_A + FULL_B, self.humidity.texture(0).lost)
 
     def step(self, seconds):
         """The atmosphere `seconds` (a multiple of 3 hours) after its start."""
@@ -68,33 +68,40 @@ class Atmosphere:
     def relative_humidity(self, z, ground, seconds):
         """Trajectories, then irregularity, low cloud under inversions, and the filter."""
         slot = int(seconds // STEP)
-        below = z.min(axis=(1, 2)) < TOP
-        levels = np.flatnonzero(below)
-        result = np.zeros(z.shape)
-        for k in levels:  # one level at a time bounds the memory
-            found, texture = self.humidity(self.position.reshape(-1, 3), z[k].ravel(), slot)
-            result[k] = found.reshape(z[k].shape) + self.irregularity(z[k]) * texture.reshape(z[k].shape)
-        result[below] = np.maximum(result[below], self.low_cloud(z[below], ground, seconds))
-        result = 0.74 + 1.3 * (smooth(result, self.grid.lat) - 0.74)  # contrast between cloud systems and clear sky
+        deep = self.humidity.sources.convection.deep(self.grid.lat[:, None], self.grid.lon[None, :], seconds)
+        found, texture = np.zeros(z.shape, np.float32), np.zeros(z.shape, np.float32)
+        for k in np.flatnonzero(z.min(axis=(1, 2)) < TOP):  # one level at a time bounds the memory
+            pair = self.humidity(self.position.reshape(-1, 3), z[k].ravel(), slot)
+            found[k], texture[k] = (values.reshape(z[k].shape) for values in pair)
+        for _ in range(3):
+            found[1:-1] = 0.25 * (found[:-2] + found[2:]) + 0.5 * found[1:-1]
+        result = found + self.irregularity(z) * texture
+        result = result + deep * towering(z) * np.maximum(1.0 - result, 0.0)
+        result = np.maximum(result, self.low_cloud(z, ground, texture))
+        result = 0.74 + 1.5 * (smooth(result, self.grid.lat) - 0.74)  # contrast between cloud systems and clear sky
         # No hard edge at saturation: the approach to 1 is asymptotic, within 3 % or so.
         return np.maximum(1.0 - 0.03 * np.logaddexp(0.0, (1.0 - result) / 0.03), 0.01)
 
     def irregularity(self, z):
         """The standard deviation of the texture in relative humidity."""
-        return 0.12 + 0.06 * smoothstep(0.1, 0.8, z)
+        return 0.18 + 0.05 * smoothstep(0.1, 0.8, z)
 
-    def low_cloud(self, z, ground, seconds):
+    def low_cloud(self, z, ground, texture):
         """Relative humidity of stratocumulus and polar stratus, in thin layers below an inversion."""
         lat, lon = self.grid.lat[:, None], self.grid.lon[None, :]
-        cells = self.humidity.cells(self.position[None], z, seconds)
         above = z - ground
         layer = np.exp(-0.5 * ((above - 0.10) / 0.06) ** 2)
         deck = self.humidity.sources.decks(lat, lon)
         polar = smoothstep(52.0, 68.0, np.abs(lat)) * (1.0 - 0.65 * self.land)
         marine = 0.5 * smoothstep(36.0, 50.0, np.abs(lat)) * (1.0 - self.land)
         amount = np.maximum(np.maximum(deck, 0.45 * polar), marine)
-        amount = 0.76 + 0.22 * smoothstep(0.1, 0.75, amount) - 0.22 * self.land * (1.0 - polar)
-        return layer * (amount + 0.13 * cells)
+        amount = 0.70 + 0.17 * smoothstep(0.1, 0.75, amount) - 0.22 * self.land * (1.0 - polar)
+        return layer * (amount + 0.16 * texture)
+
+
+def towering(z):
+    """How much of the column a deep tower fills: from its base, some 600 m up, to the tropical tropopause."""
+    return smoothstep(0.02, 0.12, z) * smoothstep(2.0, 1.75, z)
 
 
 def moist_temperature(virtual, relative, pressure, z):

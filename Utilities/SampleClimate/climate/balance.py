@@ -87,7 +87,8 @@ def wave_profile(ground, top, tilt):
     return Profile(g)
 
 
-WAVE_PROFILES = [wave_profile(0.50, 2.2, 1.3), wave_profile(0.75, 1.2, 1.0), wave_profile(0.1, 0.8, 0.6)]
+WAVE_PROFILES = [wave_profile(0.50, 2.2, 1.3), wave_profile(0.75, 1.2, 1.0), wave_profile(0.1, 1.3, 0.6),
+                 wave_profile(0.9, 1.0, 0.6)]
 CENTRE_PROFILE = Profile(lambda z: np.exp(-0.5 * (z / 0.75) ** 2))
 
 # Lasting highs and lows: latitude, longitude, widths (degrees of arc), metres of geopotential height at the ground.
@@ -109,7 +110,7 @@ class Waves:
                     centre=rng.uniform(centre - 4.0, centre + 4.0), width=rng.uniform(9.0, 12.5),
                     phase=rng.uniform(0, 2 * np.pi), bend=rng.uniform(1.0, 2.0),
                     # Short waves go east faster than long ones (Rossby): metres per second at 50 degrees.
-                    speed=(2.0 + 1.6 * (m - 3)) * rng.uniform(0.9, 1.1) + (2.0 if hemisphere < 0 else 0.0)))
+                    speed=(2.0 + 1.6 * (min(m, 11) - 3)) * rng.uniform(0.9, 1.1) + (2.0 if hemisphere < 0 else 0.0)))
 
     @staticmethod
     def meridional(part, lat):
@@ -164,7 +165,7 @@ class Flow:
     def __init__(self, rng):
         self.column = TropicalColumn()
         self.waves = [Waves(rng, (3, 4, 5, 6), 95.0, 52.0), Waves(rng, (6, 7, 8, 9, 11), 72.0, 50.0),
-                      Waves(rng, (4, 6, 7, 9), 50.0, 32.0)]
+                      Waves(rng, (4, 6, 7, 9), 45.0, 32.0), Waves(rng, (11, 13, 16), 24.0, 48.0)]
         fine = np.linspace(-90.0, 90.0, 7201)
         a = jet_shapes(fine)
         f, tangent = coriolis(fine), np.tan(np.radians(np.clip(fine, -89.99, 89.99)))

@@ -26,9 +26,10 @@ def saturation_humidity(temperature, pressure):
     return EPSILON * vapour / (pressure - (1.0 - EPSILON) * vapour)
 
 
-def critical_humidity(sigma):
-    """RHcrit of a level whose pressure is `sigma` times that of the ground: high near the ground, lower aloft."""
-    return 0.64 + 0.24 * sigma**3 + 0.04 * (1.0 - smoothstep(0.12, 0.35, sigma))
+def critical_humidity(sigma, unresolved):
+    """RHcrit of a level whose pressure is `sigma` times that of the ground: high near the ground, lower aloft, and
+    lower the larger the share of the irregularities' variance, `unresolved`, that lies within a grid box."""
+    return 0.71 - 0.14 * unresolved + 0.17 * sigma**3 + 0.04 * (1.0 - smoothstep(0.12, 0.35, sigma))
 
 
 def cloud_fraction(relative_humidity, critical):

@@ -6,7 +6,8 @@ climatological humidity of where it came from, is moistened on its way by the bo
 convection, and loses what exceeds saturation. So air that rises ahead of a cyclone becomes its comma-shaped cloud, and sinking
 air the dry slot and the clear subtropics (the advection-condensation model: Pierrehumbert, Brogniez and
 Roca 2007, The relative humidity of the atmosphere). Irregularity comes from random waves that drift with the
-parcels: each is laid down at a multiple of 24 hours, grows for a day and fades for another.
+parcels: each is laid down at a multiple of 24 hours, grows for a day and fades for another. All of it is defined without a
+grid; a grid leaves out the waves that are too short for it.
 """
 import numpy as np
 
@@ -16,7 +17,7 @@ from .sphere import HOUR, RADIUS, RandomWaves, bump, smoothstep, unit_vectors
 
 STEP = 3.0 * HOUR  # of a trajectory
 MEMORY = 48.0 * HOUR  # length of a trajectory
-WETTEST = 0.97  # rain leaves a grid box this near to saturation
+WETTEST = 0.94  # rain leaves a grid box this near to saturation
 ANCHOR = 24.0 * HOUR  # between the noises
 
 
@@ -53,9 +54,10 @@ class Overturning:
 class Convection:
     """Deep convection's activity, 0 to 1, in drifting clusters along the convergence zones."""
 
-    def __init__(self, rng, terrain):
+    def __init__(self, rng, terrain, finest):
         self.terrain = terrain
         self.clusters = RandomWaves(rng, 9, 34, slope=-0.2, count=140, period=60.0 * HOUR)
+        self.towers = RandomWaves(rng, 24, 90, slope=-0.1, count=200, period=30.0 * HOUR, finest=finest)
         self.meander = RandomWaves(rng, 4, 12, count=60)
         self.envelope = RandomWaves(rng, 2, 7, count=60, period=200.0 * HOUR)
 
@@ -63,9 +65,9 @@ class Convection:
         wave = np.radians(lon)
         axis = 6.5 + 2.5 * np.sin(wave + 1.0) + 1.5 * np.sin(3.0 * wave + 0.4)
         axis = axis + 2.2 * self.meander(unit_vectors(lat, lon))
-        band = 0.9 * np.exp(-0.5 * ((lat - axis) / 4.8) ** 2)
-        pool = 0.62 * bump(lat, lon, 1, 120, 8, 32) + 0.85 * bump(lat, lon, -3, -60, 8, 11)
-        pool = pool + 0.85 * bump(lat, lon, 2, 20, 8, 12) + 0.75 * bump(lat, lon, -14, -170, 5, 24, -28)
+        band = 0.95 * np.exp(-0.5 * ((lat - axis) / 3.0) ** 2)
+        pool = 0.62 * bump(lat, lon, 1, 120, 8, 32) + 0.7 * bump(lat, lon, -3, -60, 8, 11)
+        pool = pool + 0.7 * bump(lat, lon, 2, 20, 8, 12) + 0.75 * bump(lat, lon, -14, -170, 5, 24, -28)
         pool = pool + 0.55 * bump(lat, lon, -16, -42, 4, 15, -35) + 0.35 * bump(lat, lon, 14, 95, 6, 14)
         return np.maximum(band, pool) + 0.25 * np.minimum(band, pool)
 
@@ -74,7 +76,14 @@ class Convection:
         noise = 0.85 * self.clusters(unit_vectors(lat, lon + west), time=time)
         noise = noise + 0.6 * self.envelope(unit_vectors(lat, lon - 0.8 * west), time=time)
         zone = self.zones(lat, lon)
-        return smoothstep(0.1, 0.8, 0.7 * zone + 0.75 * noise * np.sqrt(zone) - 0.32)
+        return smoothstep(0.1, 0.8, 0.6 * zone + 0.75 * noise * np.sqrt(zone) - 0.36)
+
+    def deep(self, lat, lon, time):
+        """The share of a grid box under towers, 0 to 1: small and ragged within the active clusters."""
+        west = np.degrees(6.0 * time / RADIUS)
+        noise = self.towers(unit_vectors(lat, lon + west), time=time)
+        activity = self(lat, lon, time)
+        return smoothstep(0.0, 0.3, activity) * smoothstep(0.4, 1.0, activity + 0.6 * noise - 0.2)
 
 
 # Cold upwelling off west coasts: latitude, longitude, widths (degrees of arc), strength.
@@ -87,9 +96,9 @@ DESERTS = [(23, 12, 7, 24, 1.0), (26, 47, 7, 10, 1.0), (-25, 131, 7, 13, 0.9), (
 class Sources:
     """Where the air takes up water: rates (1/s) towards target relative humidities."""
 
-    def __init__(self, rng, terrain):
+    def __init__(self, rng, terrain, finest):
         self.terrain = terrain
-        self.convection = Convection(rng, terrain)
+        self.convection = Convection(rng, terrain, finest)
 
     def decks(self, lat, lon):
         ocean = 1.0 - self.terrain.land(lat, lon)
@@ -109,7 +118,7 @@ class Sources:
         near_target = 0.78 + 0.01 * storm - 0.45 * desert - 0.06 * self.terrain.land(lat, lon)
         tower = smoothstep(0.0, 0.15, z) * smoothstep(2.15, 1.75, z)
         tower_rate = activity * tower / (7.0 * HOUR)
-        tower_target = 0.86 + 0.16 * np.exp(-0.5 * ((z - 1.45) / 0.3) ** 2) + 0.06 * np.exp(-0.5 * ((z - 0.2) / 0.15) ** 2)
+        tower_target = 0.62 + 0.26 * np.exp(-0.5 * ((z - 1.45) / 0.3) ** 2) + 0.06 * np.exp(-0.5 * ((z - 0.2) / 0.15) ** 2)
         slow = 1.0 / (54.0 * HOUR)
         rate = near_rate + tower_rate + slow
         return rate, near_rate * near_target + tower_rate * tower_target + slow * climatology(lat, z, desert)
@@ -187,10 +196,8 @@ class Humidity:
     def __init__(self, rng, flow, terrain, finest):
         self.flow, self.terrain = flow, terrain
         self.overturning = Overturning()
-        self.sources = Sources(rng, terrain)
+        self.sources = Sources(rng, terrain, finest)
         self.texture_seed = rng.integers(2**31)
-        self.cells = RandomWaves(rng, 6, max(8, min(60, 0.75 * finest)), slope=-0.3, count=200, period=40.0 * HOUR,
-                                 vertical=3.0)
         self.finest = finest
         self.airs, self.textures = {}, {}
 
@@ -203,8 +210,7 @@ class Humidity:
         """The noise that was laid down at time anchor * 24 h."""
         if anchor not in self.textures:
             rng = np.random.default_rng([int(self.texture_seed), anchor + 1000])
-            self.textures[anchor] = RandomWaves(rng, 5, max(7, min(40, self.finest)), slope=0.0, count=180,
-                                                vertical=2.2)
+            self.textures[anchor] = RandomWaves(rng, 10, 150, slope=0.0, count=300, vertical=3.0, finest=self.finest)
         return self.textures[anchor]
 
     def history(self, position, height, slot):

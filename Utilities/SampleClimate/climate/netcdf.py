@@ -37,7 +37,8 @@ LONG_NAMES = {"cl": "cloud fraction of the layer", "clt": "total cloud cover, ma
 class Writer:
     """Writes beside the target and renames at the end, so that no half-written file ever has the target's name."""
 
-    def __init__(self, path, atmosphere, history):
+    def __init__(self, path, atmosphere, history, only=None):
+        self.names = [name for name in list(FIELDS) + list(SURFACE_FIELDS) if not only or name in only + ["ps"]]
         self.path, self.partial = path, path + ".partial"
         self.file = netCDF4.Dataset(self.partial, "w", format="NETCDF4")
         grid = atmosphere.grid
@@ -57,9 +58,11 @@ class Writer:
         self.put("orog", ..., atmosphere.altitude)
         self.put("sftlf", ..., atmosphere.land)
         for name, (standard, units, packing) in SURFACE_FIELDS.items():
-            self.field(name, ("time", "lat", "lon"), standard, units, packing, None)
+            if name in self.names:
+                self.field(name, ("time", "lat", "lon"), standard, units, packing, None)
         for name, (standard, units, packing, bits) in FIELDS.items():
-            self.field(name, ("time", "lev", "lat", "lon"), standard, units, packing, bits)
+            if name in self.names:
+                self.field(name, ("time", "lev", "lat", "lon"), standard, units, packing, bits)
 
     def coordinate(self, name, dimensions, values, **attributes):
         variable = self.file.createVariable(name, "f8", dimensions)
@@ -116,7 +119,7 @@ class Writer:
 
     def write(self, index, seconds, fields):
         self.put("time", index, seconds / HOUR)
-        for name in list(FIELDS) + list(SURFACE_FIELDS):
+        for name in self.names:
             self.put(name, index, fields[name])
 
     def close(self):

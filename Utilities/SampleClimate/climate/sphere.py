@@ -50,10 +50,11 @@ class RandomWaves:
 
     Isotropic, so that nothing marks the poles or the seam. The degree l of a wave is spread evenly in
     log(l) over [low, high] with amplitude l**slope; `vertical` is the spread of wavenumbers in the
-    vertical coordinate, `period` (s) the shortest period with which a phase drifts.
+    vertical coordinate, `period` (s) the shortest period with which a phase drifts. Waves fade out towards the degree
+    `finest`: what is left is the same noise, as a coarser grid can hold it; `lost` is the variance that went.
     """
 
-    def __init__(self, rng, low, high, slope=-1.0 / 3.0, count=160, vertical=0.0, period=None):
+    def __init__(self, rng, low, high, slope=-1.0 / 3.0, count=160, vertical=0.0, period=None, finest=np.inf):
         degree = low * (high / low) ** ((np.arange(count) + rng.random(count)) / count)
         direction = rng.normal(size=(count, 3))
         direction /= np.linalg.norm(direction, axis=1, keepdims=True)
@@ -63,7 +64,15 @@ class RandomWaves:
         self.phase = 2.0 * np.pi * rng.random(count)
         self.drift = rng.uniform(-1.0, 1.0, count) * (2.0 * np.pi / period if period else 0.0)
         amplitude = degree**slope
-        self.amplitude = (amplitude * np.sqrt(2.0 / np.sum(amplitude**2))).astype(np.float32)
+        amplitude *= np.sqrt(2.0 / np.sum(amplitude**2))
+        self.lost = 0.0
+        if np.isfinite(finest):
+            amplitude *= smoothstep(finest, 0.7 * finest, degree)
+            self.lost = 1.0 - 0.5 * float(np.sum(amplitude**2))
+        kept = amplitude > 0.0
+        self.wavevector, self.vertical = self.wavevector[kept], self.vertical[kept]
+        self.phase, self.drift = self.phase[kept], self.drift[kept]
+        self.amplitude = amplitude[kept].astype(np.float32)
 
     def __call__(self, position, height=0.0, time=0.0):
         position = position.astype(np.float32)
