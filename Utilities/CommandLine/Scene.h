@@ -154,7 +154,20 @@ struct UniformMedium
   Triple color{ 0.7, 0.8, 1 };
 };
 
-using Medium = std::variant<UniformMedium>;
+/// Haze under the clouds, with shafts of sunlight.
+struct HazeMedium
+{
+  Triple extinction{ 0.03, 0.04, 0.06 };
+  double albedo = 0.95;
+  double anisotropy = 0.6;
+  double sunlight = 1;
+  Triple sky{ 0.1, 0.12, 0.15 };
+  double height = 2000;
+  std::string method = "moments";
+  double step = 20;
+};
+
+using Medium = std::variant<UniformMedium, HazeMedium>;
 
 struct Scene
 {

@@ -13,6 +13,7 @@
 #include <vtkCloudContour.h>
 #include <vtkCloudGlobe.h>
 #include <vtkCloudGradedBackdrop.h>
+#include <vtkCloudHaze.h>
 #include <vtkCloudNetCDFReader.h>
 #include <vtkCloudPlane.h>
 #include <vtkCloudSmooth.h>
@@ -145,6 +146,26 @@ public:
   void operator()(const UniformMedium& medium)
   {
     this->addHaze(medium.extinction / 1000, medium.color);
+  }
+
+  void operator()(const HazeMedium& medium)
+  {
+    const vtkNew<vtkCloudHaze> haze;
+    haze->SetExtinction(
+      medium.extinction[0] / 1000, medium.extinction[1] / 1000, medium.extinction[2] / 1000);
+    haze->SetAlbedo(medium.albedo, medium.albedo, medium.albedo);
+    haze->SetAnisotropy(medium.anisotropy);
+    double sun[3];
+    haze->GetSunColor(sun);
+    haze->SetSunColor(medium.sunlight * sun[0], medium.sunlight * sun[1], medium.sunlight * sun[2]);
+    haze->SetSkyColor(medium.sky.data());
+    haze->SetTowardSun(this->TowardSun.v);
+    haze->SetHeight(medium.height * this->Lie.heightScale);
+    haze->SetMethod(medium.method == "exact" ? vtkCloudHaze::Exact
+        : medium.method == "march"           ? vtkCloudHaze::March
+                                             : vtkCloudHaze::Moments);
+    haze->SetStep(medium.step);
+    this->Built.scape->AddBody(haze);
   }
 
   BuiltScene finish()

@@ -231,6 +231,32 @@ void visitKeys(UniformMedium& medium, Visitor&& visit)
     medium.color);
 }
 
+template <class Visitor>
+void visitKeys(HazeMedium& medium, Visitor&& visit)
+{
+  visit(
+    Key{ "extinction", "1/km, RGB", "optical depth of a kilometre; larger in blue as in dry air",
+      "[0.03, 0.04, 0.06]", 0, 1e6 },
+    medium.extinction);
+  visit(Key{ "albedo", "1", "share of it that is scattered, not absorbed", "0.95", 0, 1 },
+    medium.albedo);
+  visit(Key{ "anisotropy", "1", "mean cosine of scattering; above 0 it is brightest about the sun",
+          "0.6", -0.99, 0.99 },
+    medium.anisotropy);
+  visit(Key{ "sunlight", "1", "factor on the sun's light in it", "1", 0, 1e3 }, medium.sunlight);
+  visit(Key{ "sky", "linear RGB", "radiance of an endless depth of it without the sun",
+          "[0.1, 0.12, 0.15]", 0, 1e6 },
+    medium.sky);
+  visit(
+    Key{ "height", "m", "its top, where there are no height-field clouds whose plane is the top",
+      "2000", -1e5, 1e6 },
+    medium.height);
+  visit(Key{ "method", "", "how the light along a ray is summed", "moments", {}, {},
+          { "exact", "march", "moments" } },
+    medium.method);
+  visit(Key{ "step", "m", "of march", "20", 1e-3, 1e6 }, medium.step);
+}
+
 /// The types of a body or a medium by the name that a file's key "type" gives them.
 template <class Visitor>
 void visitTypes(Body*, Visitor&& visit)
@@ -248,6 +274,7 @@ template <class Visitor>
 void visitTypes(Medium*, Visitor&& visit)
 {
   visit("uniform", "haze of one density everywhere", UniformMedium());
+  visit("haze", "haze under the clouds, with shafts of sunlight through their gaps", HazeMedium());
 }
 
 /// The sections of a scene file: mappings first, then the lists of typed parts.
