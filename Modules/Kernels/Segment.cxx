@@ -35,10 +35,11 @@ struct Accumulator
   void add(double near, double far, const double (&tau)[3], const double (&light)[3])
   {
     const double before = this->mean();
+    const double red = std::exp(-tau[0]);
     for (int c = 0; c < 3; ++c)
     {
       this->radiance[c] += this->transmittance[c] * light[c];
-      this->transmittance[c] *= std::exp(-tau[c]);
+      this->transmittance[c] *= tau[c] == tau[0] ? red : std::exp(-tau[c]); // mostly grey
     }
     if (before > 0.5 && this->mean() <= 0.5)
     {

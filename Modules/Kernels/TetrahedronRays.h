@@ -112,15 +112,7 @@ inline double faceNormals(const Vector3* const (&q)[4], Vector3 (&normals)[4])
 class RayField
 {
 public:
-  /// @param q vertices in ray space, not in a plane, @param s values there
-  void set(const Vector3* const (&q)[4], const float (&s)[4], bool parallel)
-  {
-    Vector3 normals[4];
-    const double det = faceNormals(q, normals);
-    this->set(normals, det, *q[0], s, parallel);
-  }
-
-  /// s = s_0 + sum (s_i - s_0) lambda_i along the ray, as Fixed + Varying(u, v) z or Varying(u, v) + Fixed z.
+  /// From the faceNormals of vertices not in a plane, the first vertex and the values s at all; s = s_0 + sum (s_i - s_0) lambda_i along the ray, as Fixed + Varying(u, v) z or Varying(u, v) + Fixed z.
   void set(
     const Vector3 (&normals)[4], double det, const Vector3& q0, const float (&s)[4], bool parallel)
   {

@@ -164,10 +164,13 @@ void TetrahedronScan::emitColored(DeepTile& tile, const TileRays& rays,
   const TetrahedronRays& tetrahedron, const PixelBox& box, const Vector3* const (&q)[4],
   const RGB* const (&color)[4]) const
 {
+  Vector3 normals[4];
+  const double det = faceNormals(q, normals);
   RayField fields[3];
   for (std::size_t c = 0; c < 3; ++c)
   {
-    fields[c].set(q, { (*color[0])[c], (*color[1])[c], (*color[2])[c], (*color[3])[c] }, Parallel);
+    fields[c].set(normals, det, *q[0],
+      { (*color[0])[c], (*color[1])[c], (*color[2])[c], (*color[3])[c] }, Parallel);
   }
   for (int y = box.y0; y < box.y1; ++y)
   {
