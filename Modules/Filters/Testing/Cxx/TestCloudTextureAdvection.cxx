@@ -1,150 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Atmosphere.h"
 #include "CloudArrays.h"
 #include "ErrorText.h"
 #include "vtkCloudTexture.h"
 #include "vtkCloudTextureAdvection.h"
 
 #include "vtkDataSet.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkNew.h"
-#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkStringArray.h"
-#include "vtkStructuredGrid.h"
-#include "vtkStructuredGridAlgorithm.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <set>
 
 namespace
 {
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 constexpr double Pi = 3.14159265358979323846;
-constexpr double Radius = 6371229;
-constexpr double Hour = 3600;
-
-/// An atmosphere on a globe or in a plane whose wind is a function of place and time.
-class Atmosphere : public vtkStructuredGridAlgorithm
-{
-public:
-  static Atmosphere* New();
-  vtkTypeMacro(Atmosphere, vtkStructuredGridAlgorithm);
-
-  bool Globe = true;
-  int Size[3] = { 33, 16, 3 };
-  double HeightScale = 1;
-  bool HasWind = true;
-  std::vector<double> Times{ 0, 6 * Hour, 12 * Hour, 18 * Hour };
-  std::function<void(const double position[3], double time, double wind[3])> Wind =
-    [](const double*, double, double wind[3]) { wind[0] = wind[1] = wind[2] = 0; };
-  std::multiset<double> Asked;
-
-protected:
-  Atmosphere() { this->SetNumberOfInputPorts(0); }
-
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
-  {
-    vtkInformation* const out = outputs->GetInformationObject(0);
-    const int extent[6] = { 0, this->Size[0] - 1, 0, this->Size[1] - 1, 0, this->Size[2] - 1 };
-    out->Set(Pipeline::WHOLE_EXTENT(), extent, 6);
-    if (!this->Times.empty())
-    {
-      out->Set(Pipeline::TIME_STEPS(), this->Times.data(), static_cast<int>(this->Times.size()));
-      const double range[2] = { this->Times.front(), this->Times.back() };
-      out->Set(Pipeline::TIME_RANGE(), range, 2);
-    }
-    return 1;
-  }
-
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
-  {
-    vtkInformation* const out = outputs->GetInformationObject(0);
-    const double time =
-      out->Has(Pipeline::UPDATE_TIME_STEP()) ? out->Get(Pipeline::UPDATE_TIME_STEP()) : 0;
-    this->Asked.insert(time);
-    vtkStructuredGrid* const grid = vtkStructuredGrid::GetData(outputs);
-    grid->SetDimensions(this->Size);
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    vtkNew<vtkFloatArray> wind;
-    wind->SetName(nephoscope::arrays::Wind);
-    wind->SetNumberOfComponents(3);
-    vtkNew<vtkFloatArray> height;
-    height->SetName(nephoscope::arrays::Height);
-    for (int k = 0; k < this->Size[2]; ++k)
-    {
-      for (int j = 0; j < this->Size[1]; ++j)
-      {
-        for (int i = 0; i < this->Size[0]; ++i)
-        {
-          const double z = 1000.0 * (k + 1);
-          double p[3] = { 1e4 * i, 1e4 * j, this->HeightScale * z };
-          if (this->Globe)
-          {
-            const double lon = 2 * Pi * i / (this->Size[0] - 1);
-            const double lat = -Pi / 2 + Pi * (j + 0.5) / this->Size[1];
-            const double r = Radius + this->HeightScale * z;
-            p[0] = r * std::cos(lat) * std::cos(lon);
-            p[1] = r * std::cos(lat) * std::sin(lon);
-            p[2] = r * std::sin(lat);
-          }
-          double v[3];
-          this->Wind(p, time, v);
-          points->InsertNextPoint(p);
-          wind->InsertNextTuple(v);
-          height->InsertNextValue(static_cast<float>(z));
-        }
-      }
-    }
-    grid->SetPoints(points);
-    if (this->HasWind)
-    {
-      grid->GetPointData()->AddArray(wind);
-    }
-    grid->GetPointData()->AddArray(height);
-    vtkNew<vtkStringArray> geometry;
-    geometry->SetName(nephoscope::arrays::Geometry);
-    geometry->InsertNextValue(this->Globe ? "Globe" : "Local");
-    grid->GetFieldData()->AddArray(geometry);
-    vtkNew<vtkDoubleArray> scale;
-    scale->SetName(nephoscope::arrays::HeightScale);
-    scale->InsertNextValue(this->HeightScale);
-    grid->GetFieldData()->AddArray(scale);
-    return 1;
-  }
-};
-vtkStandardNewMacro(Atmosphere);
+constexpr double Radius = Atmosphere::Radius;
+constexpr double Hour = Atmosphere::Hour;
 
 /// A turn about the axis in 12 days, with a swirl that grows in time.
 void swirl(const double p[3], double time, double wind[3])
 {
-  const double omega = 2 * Pi / (12 * 24 * Hour);
   const double r = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
   const double shear = 30 * (1 + time / (24 * Hour)) * p[2] / r;
-  wind[0] = -omega * p[1] - shear * p[1] / r;
-  wind[1] = omega * p[0] + shear * p[0] / r;
-  wind[2] = 0;
-}
-
-std::vector<double> values(vtkCloudTextureAdvection* filter, const char* name)
-{
-  vtkDataArray* const array = filter->GetOutput()->GetPointData()->GetArray(name);
-  std::vector<double> all;
-  for (vtkIdType v = 0; array && v < array->GetNumberOfValues(); ++v)
-  {
-    all.push_back(array->GetVariantValue(v).ToDouble());
-  }
-  return all;
+  Atmosphere::rotation(p, time, wind);
+  wind[0] -= shear * p[1] / r;
+  wind[1] += shear * p[0] / r;
 }
 
 const char* const First = nephoscope::arrays::TextureCoordinates;
@@ -161,7 +49,7 @@ TEST(CloudTextureAdvection, CalmAirHasItsPlaceAsCoordinates)
   for (const double time : { 0.0, 1.5 * Hour, 12 * Hour, 18 * Hour })
   {
     filter->UpdateTimeStep(time);
-    const std::vector<double> c = values(filter, First);
+    const std::vector<double> c = pointValues(filter, First);
     ASSERT_EQ(c.size(), 3U * 33 * 16 * 3);
     for (vtkIdType p = 0; p < filter->GetOutput()->GetNumberOfPoints(); ++p)
     {
@@ -191,7 +79,7 @@ TEST(CloudTextureAdvection, UniformWindInAPlaneShiftsCoordinatesUpstream)
   const double time = 9 * Hour;
   filter->UpdateTimeStep(time);
   const double way = time + time * time / (12 * Hour);
-  const std::vector<double> c = values(filter, First);
+  const std::vector<double> c = pointValues(filter, First);
   double p[3];
   filter->GetOutput()->GetPoint(15 + 21 * 7, p);
   EXPECT_NEAR(c[3 * (15 + 21 * 7)], p[0] - way, 0.1);
@@ -214,7 +102,7 @@ TEST(CloudTextureAdvection, AscentBringsTheLevelBelow)
   filter->SetInputConnection(air->GetOutputPort());
   filter->CrossFadeOff();
   filter->UpdateTimeStep(3 * Hour);
-  const std::vector<double> c = values(filter, First);
+  const std::vector<double> c = pointValues(filter, First);
   const vtkIdType middle = 5 + 33 * (7 + 16 * 1);
   const double radius = std::sqrt(c[3 * middle] * c[3 * middle] +
     c[3 * middle + 1] * c[3 * middle + 1] + c[3 * middle + 2] * c[3 * middle + 2]);
@@ -234,8 +122,8 @@ TEST(CloudTextureAdvection, AnyOrderOfRequestsGivesTheSameBits)
     {
       filter->UpdateTimeStep(time * Hour);
     }
-    std::vector<double> both = values(filter, First);
-    const std::vector<double> other = values(filter, Second);
+    std::vector<double> both = pointValues(filter, First);
+    const std::vector<double> other = pointValues(filter, Second);
     both.insert(both.end(), other.begin(), other.end());
     return both;
   };
@@ -267,7 +155,7 @@ TEST(CloudTextureAdvection, TexturesAreContinuousInTimeAndWeightsSumToOne)
     EXPECT_NEAR(weights->GetComponent(0, 0) + weights->GetComponent(1, 0), 1, 1e-12);
     for (int n = 0; n < 2; ++n)
     {
-      const std::vector<double> now = values(filter, n == 0 ? First : Second);
+      const std::vector<double> now = pointValues(filter, n == 0 ? First : Second);
       const double weight = weights->GetComponent(n, 0);
       // A texture jumps only where it is not seen.
       if (!before[n].empty() && std::min(weight, weightBefore[n]) > 0.05)
@@ -338,11 +226,11 @@ TEST(CloudTextureAdvection, WorksWithoutTimeAndWithOneLevelOrColumn)
     vtkNew<vtkCloudTextureAdvection> filter;
     filter->SetInputConnection(air->GetOutputPort());
     filter->Update();
-    for (const double c : values(filter, First))
+    for (const double c : pointValues(filter, First))
     {
       ASSERT_TRUE(std::isfinite(c));
     }
-    EXPECT_FALSE(values(filter, First).empty()) << shape;
+    EXPECT_FALSE(pointValues(filter, First).empty()) << shape;
   }
 }
 
@@ -352,13 +240,7 @@ TEST(CloudTextureAdvection, CloudsThatAreSeenMoveWithTheWind)
   vtkNew<Atmosphere> air;
   air->Size[0] = 129;
   air->Size[1] = 64;
-  air->Wind = [](const double p[3], double, double wind[3])
-  {
-    const double omega = 2 * Pi / (12 * 24 * Hour);
-    wind[0] = -omega * p[1];
-    wind[1] = omega * p[0];
-    wind[2] = 0;
-  };
+  air->Wind = Atmosphere::rotation;
   vtkNew<vtkCloudTextureAdvection> advection;
   advection->SetInputConnection(air->GetOutputPort());
   advection->SetRestartPeriod(24 * Hour);

@@ -1,134 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Atmosphere.h"
 #include "CloudArrays.h"
 #include "ErrorText.h"
 #include "vtkCloudTimeInterpolator.h"
 
-#include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkFloatArray.h"
 #include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkNew.h"
-#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkStringArray.h"
 #include "vtkStructuredGrid.h"
-#include "vtkStructuredGridAlgorithm.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 
 namespace
 {
 using Pipeline = vtkStreamingDemandDrivenPipeline;
-constexpr double Hour = 3600;
+constexpr double Hour = Atmosphere::Hour;
 constexpr double Step = 36e3; // m between columns: 10 m/s goes one an hour
-
-/// Clouds on a plane in a wind along x; the levels rise with time.
-class Weather : public vtkStructuredGridAlgorithm
-{
-public:
-  static Weather* New();
-  vtkTypeMacro(Weather, vtkStructuredGridAlgorithm);
-
-  int Size[3] = { 23, 11, 4 };
-  bool HasWind = true;
-  bool Shrinks = false;
-  double Speed = 10;
-  std::vector<double> Times{ 0, 2 * Hour, 4 * Hour };
-  std::function<double(double x, double y, int level, double time)> Cloud;
-
-protected:
-  Weather() { this->SetNumberOfInputPorts(0); }
-
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
-  {
-    vtkInformation* const out = outputs->GetInformationObject(0);
-    const int extent[6] = { 0, this->Size[0] - 1, 0, this->Size[1] - 1, 0, this->Size[2] - 1 };
-    out->Set(Pipeline::WHOLE_EXTENT(), extent, 6);
-    if (!this->Times.empty())
-    {
-      out->Set(Pipeline::TIME_STEPS(), this->Times.data(), static_cast<int>(this->Times.size()));
-      const double range[2] = { this->Times.front(), this->Times.back() };
-      out->Set(Pipeline::TIME_RANGE(), range, 2);
-    }
-    return 1;
-  }
-
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
-  {
-    vtkInformation* const out = outputs->GetInformationObject(0);
-    const double time =
-      out->Has(Pipeline::UPDATE_TIME_STEP()) ? out->Get(Pipeline::UPDATE_TIME_STEP()) : 0;
-    vtkStructuredGrid* const grid = vtkStructuredGrid::GetData(outputs);
-    const int nx = this->Size[0] - (this->Shrinks && time > 0 ? 1 : 0);
-    grid->SetDimensions(nx, this->Size[1], this->Size[2]);
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkFloatArray> wind;
-    wind->SetName(nephoscope::arrays::Wind);
-    wind->SetNumberOfComponents(3);
-    vtkNew<vtkFloatArray> height;
-    height->SetName(nephoscope::arrays::Height);
-    vtkNew<vtkFloatArray> cloud;
-    cloud->SetName(nephoscope::arrays::CloudFraction);
-    vtkNew<vtkUnsignedCharArray> ghosts;
-    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-    for (int k = 0; k < this->Size[2]; ++k)
-    {
-      for (int j = 0; j < this->Size[1]; ++j)
-      {
-        for (int i = 0; i < nx; ++i)
-        {
-          const double z = 1000.0 * (k + 1) + time / 100;
-          points->InsertNextPoint(Step * i, Step * j, z);
-          wind->InsertNextTuple3(this->Speed, 0, 0.01);
-          height->InsertNextValue(static_cast<float>(z));
-          const double value = this->Cloud(i, j, k, time / Hour);
-          cloud->InsertNextValue(static_cast<float>(value));
-          ghosts->InsertNextValue(std::isnan(value) ? vtkDataSetAttributes::HIDDENPOINT : 0);
-        }
-      }
-    }
-    grid->SetPoints(points);
-    if (this->HasWind)
-    {
-      grid->GetPointData()->AddArray(wind);
-    }
-    grid->GetPointData()->AddArray(height);
-    grid->GetPointData()->SetScalars(cloud);
-    grid->GetPointData()->AddArray(ghosts);
-    vtkNew<vtkStringArray> geometry;
-    geometry->SetName(nephoscope::arrays::Geometry);
-    geometry->InsertNextValue("Local");
-    grid->GetFieldData()->AddArray(geometry);
-    return 1;
-  }
-};
-vtkStandardNewMacro(Weather);
 
 /// A cloud with a steep edge that goes with a wind of one column an hour.
 double drifting(double x, double y, int level, double hours)
 {
   const double from = std::abs(x - hours - 8 - level);
   return from < 2.5 && std::abs(y - 5) < 3 ? 0.8 - 0.1 * from : 0.05 * level;
-}
-
-std::vector<float> values(vtkCloudTimeInterpolator* filter, const char* name)
-{
-  vtkDataArray* const array = filter->GetOutput()->GetPointData()->GetArray(name);
-  std::vector<float> all;
-  for (vtkIdType v = 0; array && v < array->GetNumberOfValues(); ++v)
-  {
-    all.push_back(static_cast<float>(array->GetVariantValue(v).ToDouble()));
-  }
-  return all;
 }
 
 const char* const Fraction = nephoscope::arrays::CloudFraction;
@@ -139,15 +36,33 @@ class CloudTimeInterpolator : public ::testing::Test
 protected:
   void SetUp() override
   {
+    // Clouds on a plane in a wind along x; the levels rise with time.
+    this->Air->Globe = false;
+    this->Air->Spacing = Step;
+    this->Air->Size[0] = 23;
+    this->Air->Size[1] = 11;
+    this->Air->Size[2] = 4;
+    this->Air->Times = { 0, 2 * Hour, 4 * Hour };
+    this->Air->Height = [](int level, double time) { return 1000.0 * (level + 1) + time / 100; };
+    this->blow(10);
     this->Air->Cloud = drifting;
     this->Filter->SetInputConnection(this->Air->GetOutputPort());
+  }
+  void blow(double speed)
+  {
+    this->Air->Wind = [speed](const double*, double, double wind[3])
+    {
+      wind[0] = speed;
+      wind[1] = 0;
+      wind[2] = 0.01;
+    };
   }
   double at(int i, int j, int k)
   {
     return this->Filter->GetOutput()->GetPointData()->GetArray(Fraction)->GetComponent(
       i + 23 * (j + 11 * k), 0);
   }
-  vtkNew<Weather> Air;
+  vtkNew<Atmosphere> Air;
   vtkNew<vtkCloudTimeInterpolator> Filter;
 };
 
@@ -207,19 +122,19 @@ TEST_F(CloudTimeInterpolator, FileTimesAreTheFileToTheBit)
   {
     this->Air->UpdateTimeStep(hours * Hour);
     vtkDataArray* const file = this->Air->GetOutput()->GetPointData()->GetArray(Fraction);
-    std::vector<float> expected;
+    std::vector<double> expected;
     for (vtkIdType v = 0; v < file->GetNumberOfValues(); ++v)
     {
-      expected.push_back(static_cast<float>(file->GetComponent(v, 0)));
+      expected.push_back(file->GetComponent(v, 0));
     }
     this->Filter->UpdateTimeStep(hours * Hour);
-    EXPECT_EQ(values(this->Filter, Fraction), expected);
+    EXPECT_EQ(pointValues(this->Filter, Fraction), expected);
   }
 }
 
 TEST_F(CloudTimeInterpolator, AnyOrderOfRequestsGivesTheSameBits)
 {
-  this->Air->Speed = 13.7;
+  this->blow(13.7);
   const auto at = [this](const std::vector<double>& hours)
   {
     vtkNew<vtkCloudTimeInterpolator> filter;
@@ -228,11 +143,11 @@ TEST_F(CloudTimeInterpolator, AnyOrderOfRequestsGivesTheSameBits)
     {
       filter->UpdateTimeStep(hour * Hour);
     }
-    return values(filter, Fraction);
+    return pointValues(filter, Fraction);
   };
   for (const double hour : { 0.3, 2.0, 3.1 })
   {
-    const std::vector<float> direct = at({ hour });
+    const std::vector<double> direct = at({ hour });
     ASSERT_EQ(direct.size(), 23U * 11 * 4);
     EXPECT_EQ(direct, at({ 4, 1, hour }));
     EXPECT_EQ(direct, at({ 0, 1.9, 2.1, 2, hour }));
@@ -241,7 +156,7 @@ TEST_F(CloudTimeInterpolator, AnyOrderOfRequestsGivesTheSameBits)
 
 TEST_F(CloudTimeInterpolator, NoValueIsBeyondThoseOfBothTimes)
 {
-  this->Air->Speed = 17.3;
+  this->blow(17.3);
   this->Air->Cloud = [](double x, double y, int level, double hours)
   {
     return std::fmod(std::abs(std::sin(12.9 * x + 78.2 * y + 3.1 * level + hours) * 43758.5), 1) >
@@ -250,7 +165,7 @@ TEST_F(CloudTimeInterpolator, NoValueIsBeyondThoseOfBothTimes)
   for (const double hours : { 0.1, 1.3, 3.9 })
   {
     this->Filter->UpdateTimeStep(hours * Hour);
-    for (const float value : values(this->Filter, Fraction))
+    for (const double value : pointValues(this->Filter, Fraction))
     {
       ASSERT_GE(value, 0);
       ASSERT_LE(value, 1);
@@ -259,7 +174,7 @@ TEST_F(CloudTimeInterpolator, NoValueIsBeyondThoseOfBothTimes)
   this->Air->Cloud = [](double, double, int, double) { return 0.3F; };
   this->Air->Modified();
   this->Filter->UpdateTimeStep(1.7 * Hour);
-  for (const float value : values(this->Filter, Fraction))
+  for (const double value : pointValues(this->Filter, Fraction))
   {
     ASSERT_EQ(value, 0.3F);
   }
@@ -267,7 +182,7 @@ TEST_F(CloudTimeInterpolator, NoValueIsBeyondThoseOfBothTimes)
 
 TEST_F(CloudTimeInterpolator, VisiblePointsHaveValuesAmongHiddenOnes)
 {
-  this->Air->Speed = 7.1;
+  this->blow(7.1);
   this->Air->Cloud = [](double x, double y, int level, double hours)
   {
     const bool hidden = (x > 9 + hours && x < 13) || (y > 8 && level == 0);
@@ -276,7 +191,7 @@ TEST_F(CloudTimeInterpolator, VisiblePointsHaveValuesAmongHiddenOnes)
   for (const double hours : { 0.4, 1.0, 1.8 })
   {
     this->Filter->UpdateTimeStep(hours * Hour);
-    const std::vector<float> cloud = values(this->Filter, Fraction);
+    const std::vector<double> cloud = pointValues(this->Filter, Fraction);
     vtkStructuredGrid* const grid = this->Filter->GetOutput();
     int hidden = 0;
     for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
@@ -296,11 +211,11 @@ TEST_F(CloudTimeInterpolator, WithoutTimesTheInputPasses)
 {
   this->Air->Times.clear();
   this->Filter->Update();
-  EXPECT_EQ(values(this->Filter, Fraction).size(), 23U * 11 * 4);
+  EXPECT_EQ(pointValues(this->Filter, Fraction).size(), 23U * 11 * 4);
   this->Air->Times = { 7 };
   this->Air->Modified();
   this->Filter->UpdateTimeStep(7);
-  EXPECT_EQ(values(this->Filter, Fraction).size(), 23U * 11 * 4);
+  EXPECT_EQ(pointValues(this->Filter, Fraction).size(), 23U * 11 * 4);
 }
 
 TEST_F(CloudTimeInterpolator, FailuresSayWhatAndWhere)
