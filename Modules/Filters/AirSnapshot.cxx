@@ -208,71 +208,95 @@ AirSnapshot airSnapshotOf(const AirGrid& air, vtkStructuredGrid* grid, double ti
         snapshot.height[p] = finite(height->GetComponent(p, 0));
       }
     });
+  snapshot.rows.resize(static_cast<std::size_t>(ny) * air.levels);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(snapshot.rows.size()),
+    [&air, &snapshot, ny](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        snapshot.rows[row] = measureRow(air.columns, air.radius, snapshot.velocity.data(),
+          static_cast<int>(row % ny), static_cast<int>(row / ny));
+      }
+    });
   return snapshot;
 }
 
+int RowSchemes::mostSubsteps() const
+{
+  return this->Substeps.empty() ? 1
+                                : *std::max_element(this->Substeps.begin(), this->Substeps.end());
+}
+
 AirInterval::AirInterval(const AirGrid& air, const AirSnapshot& begin, const AirSnapshot& end)
+  : Ends{ &begin, &end }
 {
   this->Motion.wind.grid = &air.columns;
   this->Motion.wind.levels = air.levels;
   this->Motion.wind.radius = air.radius;
   this->Motion.wind.seconds = end.time - begin.time;
   this->Motion.heightScale = air.heightScale;
-  const AirSnapshot* const ends[2] = { &begin, &end };
   for (int time = 0; time < 2; ++time)
   {
-    this->Motion.wind.velocity[time] = ends[time]->velocity.data();
-    this->Motion.height[time] = ends[time]->height.data();
+    this->Motion.wind.velocity[time] = this->Ends[time]->velocity.data();
+    this->Motion.height[time] = this->Ends[time]->height.data();
     this->LevelVelocity[time].resize(air.points());
   }
-  const int nx = air.columns.columns();
-  const auto columns = static_cast<vtkIdType>(this->Motion.columns());
+  vtkSMPTools::For(0, air.columns.rows(),
+    [this](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType j = first; j < last; ++j)
+      {
+        this->setLevelVelocity(static_cast<int>(j));
+      }
+    });
   for (int time = 0; time < 2; ++time)
   {
-    float* const out = this->LevelVelocity[time].data();
-    const AirSnapshot& snapshot = *ends[time];
-    const AirMotion& motion = this->Motion;
-    vtkSMPTools::For(0, columns,
-      [&air, &motion, &snapshot, out, time, nx, columns](vtkIdType first, vtkIdType last)
-      {
-        std::vector<double> height(air.levels);
-        std::vector<double> through(air.levels);
-        std::vector<double> velocity(air.levels);
-        for (vtkIdType column = first; column < last; ++column)
-        {
-          for (int k = 0; k < air.levels; ++k)
-          {
-            height[k] = snapshot.height[column + columns * k];
-            through[k] = motionThroughLevels(motion, time, static_cast<int>(column % nx),
-              static_cast<int>(column / nx), k, snapshot.upward[column + columns * k]);
-          }
-          levelVelocity(air.levels, height.data(), through.data(), velocity.data());
-          for (int k = 0; k < air.levels; ++k)
-          {
-            out[column + columns * k] = static_cast<float>(velocity[k]);
-          }
-        }
-      });
-    this->Motion.wind.levelVelocity[time] = out;
+    this->Motion.wind.levelVelocity[time] = this->LevelVelocity[time].data();
   }
 }
 
-TrajectoryScheme AirInterval::scheme(
+/// Of the columns of a row.
+void AirInterval::setLevelVelocity(int j)
+{
+  const int nx = this->Motion.wind.grid->columns();
+  const int levels = this->Motion.wind.levels;
+  std::vector<double> height(levels);
+  std::vector<double> through(levels);
+  std::vector<double> velocity(levels);
+  for (int i = 0; i < nx; ++i)
+  {
+    const ColumnSlope slope(this->Motion, i, j);
+    for (int time = 0; time < 2; ++time)
+    {
+      const auto point = [this, nx, i, j](int k)
+      { return i + static_cast<std::size_t>(nx) * j + this->Motion.columns() * k; };
+      for (int k = 0; k < levels; ++k)
+      {
+        height[k] = this->Ends[time]->height[point(k)];
+        through[k] =
+          slope.motionThroughLevels(this->Motion, time, k, this->Ends[time]->upward[point(k)]);
+      }
+      levelVelocity(levels, height.data(), through.data(), velocity.data());
+      for (int k = 0; k < levels; ++k)
+      {
+        this->LevelVelocity[time][point(k)] = static_cast<float>(velocity[k]);
+      }
+    }
+  }
+}
+
+RowSchemes AirInterval::schemes(
   Integrator integrator, Interpolation interpolation, double tolerance) const
 {
-  double speed = 0;
-  double strain = 0;
-  for (const float* const velocity : this->Motion.wind.velocity)
+  const WindPair& wind = this->Motion.wind;
+  std::vector<WindMeasure> rows = this->Ends[0]->rows;
+  for (std::size_t row = 0; row < rows.size(); ++row)
   {
-    double fastest = 0;
-    double largest = 0;
-    measureWind(*this->Motion.wind.grid, this->Motion.wind.levels, this->Motion.wind.radius,
-      velocity, fastest, largest);
-    speed = std::max(speed, fastest);
-    strain = std::max(strain, largest);
+    rows[row].include(this->Ends[1]->rows[row]);
   }
-  return { integrator, interpolation,
-    substepsFor(integrator, this->Motion.wind.seconds, speed, strain, tolerance) };
+  return { { integrator, interpolation, 1 }, wind.grid->rows(),
+    substepsOfRows(
+      *wind.grid, wind.levels, wind.radius, rows, integrator, wind.seconds, tolerance) };
 }
 
 double rootMeanSquareStrain(const AirGrid& air, const AirSnapshot& snapshot)

@@ -10,6 +10,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkStructuredGrid;
@@ -49,25 +50,53 @@ AirGrid airGridOf(vtkStructuredGrid* grid);
 /// Wind and heights of one time. Values that are not finite are read as 0 (calm).
 struct AirSnapshot
 {
-  double time = 0;             ///< s
-  std::vector<float> velocity; ///< along the level's horizontal, Cartesian, 3 a point, m/s
-  std::vector<float> upward;   ///< m/s
-  std::vector<float> height;   ///< m
+  double time = 0;               ///< s
+  std::vector<float> velocity;   ///< along the level's horizontal, Cartesian, 3 a point, m/s
+  std::vector<float> upward;     ///< m/s
+  std::vector<float> height;     ///< m
+  std::vector<WindMeasure> rows; ///< of each row of each level
 };
 /// Throws GridError where Wind or Height is missing or the grid is another than `air` describes.
 AirSnapshot airSnapshotOf(const AirGrid& air, vtkStructuredGrid* grid, double time);
 
-/// Two snapshots as an interval, with the motion through the levels at both ends.
+/// How trajectories are computed that end in each row of each level.
+class RowSchemes
+{
+public:
+  RowSchemes() = default;
+  RowSchemes(const TrajectoryScheme& common, int rows, std::vector<unsigned char> substeps)
+    : Common(common)
+    , Rows(rows)
+    , Substeps(std::move(substeps))
+  {
+  }
+  TrajectoryScheme at(int j, int k) const
+  {
+    TrajectoryScheme scheme = this->Common;
+    scheme.substeps = this->Substeps[j + this->Rows * k];
+    return scheme;
+  }
+  int mostSubsteps() const;
+
+private:
+  TrajectoryScheme Common;
+  int Rows = 0;
+  std::vector<unsigned char> Substeps;
+};
+
+/// Two snapshots, which have to outlive it, as an interval, with the motion through the levels at both ends.
 class AirInterval
 {
 public:
   AirInterval(const AirGrid& air, const AirSnapshot& begin, const AirSnapshot& end);
   const AirMotion& motion() const { return this->Motion; }
-  /// Scheme with as many substeps as the interval's wind needs for a tolerance in metres.
-  TrajectoryScheme scheme(
-    Integrator integrator, Interpolation interpolation, double tolerance) const;
+  /// Schemes with as many substeps as the interval's wind needs for a tolerance in metres.
+  RowSchemes schemes(Integrator integrator, Interpolation interpolation, double tolerance) const;
 
 private:
+  void setLevelVelocity(int j);
+
+  const AirSnapshot* Ends[2];
   AirMotion Motion;
   std::vector<float> LevelVelocity[2];
 };

@@ -14,13 +14,9 @@ namespace
 constexpr double ShortestPeriod = 3600;
 constexpr double LongestPeriod = 10 * 86400;
 
-/// Textures of odd number are read far away from those of even number, so that their patterns have nothing in common.
-Vector3 displacementOf(long texture, const AirGrid& air)
+/// Textures of odd number are read so far away from those of even number, that their patterns have nothing in common.
+Vector3 displacementOf(const AirGrid& air)
 {
-  if (texture % 2 == 0)
-  {
-    return { 0, 0, 0 };
-  }
   const ColumnGrid& grid = air.columns;
   const double size = air.sphere
     ? 2 * air.radius
@@ -163,6 +159,29 @@ void TextureAdvector::take(vtkStructuredGrid* grid)
   this->skipKnown();
 }
 
+/// What the textures have before them in the interval that begins with a step; those that are not there yet and do not begin in it
+/// have nothing.
+std::vector<TextureAdvector::Leg> TextureAdvector::legs(int step) const
+{
+  std::vector<Leg> legs;
+  const double begin = this->Times[step];
+  const bool last = step + 1 == static_cast<int>(this->Times.size());
+  const double length = last ? 1 : this->Times[step + 1] - begin;
+  for (const long texture : this->Textures)
+  {
+    const auto state = this->States.find({ texture, step });
+    if (state != this->States.end())
+    {
+      legs.push_back({ texture, 0, &state->second, {} });
+    }
+    else if (this->stepBefore(this->start(texture)) == step)
+    {
+      legs.push_back({ texture, (this->start(texture) - begin) / length, nullptr, {} });
+    }
+  }
+  return legs;
+}
+
 /// A snapshot completes the interval that ends with it: carry the textures on to there.
 void TextureAdvector::cross(int step)
 {
@@ -171,23 +190,20 @@ void TextureAdvector::cross(int step)
   {
     return;
   }
-  const AirSnapshot& end = this->Snapshots[step];
-  const AirInterval interval(this->Air, begin->second, end);
-  const TrajectoryScheme scheme =
-    interval.scheme(this->Setting.integrator, this->Setting.interpolation, this->Setting.tolerance);
-  this->Substeps = scheme.substeps;
-  for (const long texture : this->Textures)
+  std::vector<Leg> legs = this->legs(step - 1);
+  legs.erase(std::remove_if(legs.begin(), legs.end(),
+               [this, step](const Leg& leg) {
+                 return this->States.count({ leg.texture, step }) > 0;
+               }),
+    legs.end());
+  if (!legs.empty())
   {
-    const auto state = this->States.find({ texture, step - 1 });
-    const bool has = state != this->States.end();
-    const double since =
-      (this->start(texture) - begin->second.time) / (end.time - begin->second.time);
-    if (this->States.count({ texture, step }) > 0 || (!has && (since < 0 || since >= 1)))
+    const AirInterval interval(this->Air, begin->second, this->Snapshots[step]);
+    this->advance(interval, legs, 1, true);
+    for (Leg& leg : legs)
     {
-      continue; // is there already, or does not begin here
+      this->States[{ leg.texture, step }] = std::move(leg.result);
     }
-    this->States[{ texture, step }] =
-      this->advance(interval, scheme, has ? &state->second : nullptr, has ? 0 : since, 1, true);
   }
   if (step - 1 < this->stepBefore(this->Target))
   {
@@ -195,50 +211,146 @@ void TextureAdvector::cross(int step)
   }
 }
 
-TextureAdvector::Displacement TextureAdvector::advance(const AirInterval& interval,
-  const TrajectoryScheme& scheme, const Displacement* state, double from, double to,
-  bool asDisplacement) const
+/// Textures that set off together have the same trajectories.
+void TextureAdvector::advance(
+  const AirInterval& interval, std::vector<Leg>& legs, double to, bool asDisplacement)
 {
+  const RowSchemes schemes = interval.schemes(
+    this->Setting.integrator, this->Setting.interpolation, this->Setting.tolerance);
+  this->Substeps = schemes.mostSubsteps();
+  for (Leg& leg : legs)
+  {
+    leg.result.resize(3 * this->Air.points());
+  }
   const AirMotion& motion = interval.motion();
   const int nx = this->Air.columns.columns();
   const int ny = this->Air.columns.rows();
-  Displacement result(3 * this->Air.points());
-  const float* const known = state ? state->data() : nullptr;
-  float* const out = result.data();
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Air.points()),
-    [&motion, &scheme, known, out, nx, ny, from, to, asDisplacement](vtkIdType begin, vtkIdType end)
+  const auto advanceRow = [&motion, &schemes, &legs, nx, to, asDisplacement](int j, int k)
+  {
+    const TrajectoryScheme scheme = schemes.at(j, k);
+    Departure departure;
+    for (int i = 0; i < nx; ++i)
     {
-      for (vtkIdType p = begin; p < end; ++p)
+      const Vector3 home = asDisplacement ? placeOfPoint(motion, i, j, k, to) : Vector3{ 0, 0, 0 };
+      const std::size_t point = i + static_cast<std::size_t>(nx) * j + motion.columns() * k;
+      for (std::size_t n = 0; n < legs.size(); ++n)
       {
-        const int i = static_cast<int>(p % nx);
-        const int j = static_cast<int>(p / nx % ny);
-        const int k = static_cast<int>(p / nx / ny);
-        const Vector3 c = carriedCoordinates(motion, scheme, known, i, j, k, from, to);
-        store(asDisplacement ? c - placeOfPoint(motion, i, j, k, to) : c, out + 3 * p);
+        if (n == 0 || legs[n].from != legs[n - 1].from)
+        {
+          depart(motion, scheme, i, j, k, legs[n].from, to, departure);
+        }
+        const float* const known = legs[n].state ? legs[n].state->data() : nullptr;
+        store(carriedCoordinates(departure, known) - home, legs[n].result.data() + 3 * point);
+      }
+    }
+  };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(ny) * this->Air.levels,
+    [&advanceRow, ny](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        advanceRow(static_cast<int>(row % ny), static_cast<int>(row / ny));
       }
     });
-  return result;
 }
 
-std::vector<float> TextureAdvector::coordinatesOf(long texture) const
+/// On a file time there is no way to go: coordinates are the places and the displacements there.
+void TextureAdvector::stand(const AirSnapshot& now, std::vector<Leg>& legs) const
+{
+  AirMotion motion;
+  motion.wind.grid = &this->Air.columns;
+  motion.wind.radius = this->Air.radius;
+  motion.height[0] = motion.height[1] = now.height.data();
+  motion.heightScale = this->Air.heightScale;
+  const int nx = this->Air.columns.columns();
+  const int ny = this->Air.columns.rows();
+  for (Leg& leg : legs)
+  {
+    leg.result = leg.state ? *leg.state : Displacement(3 * this->Air.points(), 0.0F);
+    float* const out = leg.result.data();
+    vtkSMPTools::For(0, static_cast<vtkIdType>(ny) * this->Air.levels,
+      [&motion, out, nx, ny](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType row = begin; row < end; ++row)
+        {
+          for (int i = 0; i < nx; ++i)
+          {
+            float* const moved = out + 3 * (i + nx * row);
+            store(Vector3{ moved[0], moved[1], moved[2] } +
+                placeOfPoint(motion, i, static_cast<int>(row % ny), static_cast<int>(row / ny), 0),
+              moved);
+          }
+        }
+      });
+  }
+}
+
+/// The coordinates at the target, with even numbers first, so that an array keeps its texture until that has faded.
+void TextureAdvector::locateTextures(Result& result)
 {
   const int before = this->stepBefore(this->Target);
   const AirSnapshot& begin = this->Snapshots.at(before);
   const AirSnapshot& end = this->Snapshots.at(this->Last);
-  const AirInterval interval(this->Air, begin, end);
-  const auto found = this->States.find({ texture, before });
-  const Displacement* const state = found != this->States.end() ? &found->second : nullptr;
+  std::vector<Leg> legs = this->legs(before);
   if (this->Last == before)
   {
-    // On a file time: no way to go. One that starts just here has its places.
-    return this->advance(
-      interval, { this->Setting.integrator, this->Setting.interpolation, 1 }, state, 0, 0, false);
+    this->stand(begin, legs);
   }
-  const double length = end.time - begin.time;
-  const double from = state ? 0 : (this->start(texture) - begin.time) / length;
-  const TrajectoryScheme scheme =
-    interval.scheme(this->Setting.integrator, this->Setting.interpolation, this->Setting.tolerance);
-  return this->advance(interval, scheme, state, from, (this->Target - begin.time) / length, false);
+  else
+  {
+    this->advance(AirInterval(this->Air, begin, end), legs,
+      (this->Target - begin.time) / (end.time - begin.time), false);
+  }
+  for (Leg& leg : legs)
+  {
+    const int place = this->Textures.size() == 2 && leg.texture % 2 != 0 ? 1 : 0;
+    result.weight[place] = this->weightOf(leg.texture);
+    result.coordinates[place] = std::move(leg.result);
+  }
+}
+
+void TextureAdvector::displaceOther(Result& result) const
+{
+  std::vector<float>& other = result.coordinates[1];
+  const Vector3 away = displacementOf(this->Air);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(other.size() / 3),
+    [&other, away](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType v = 3 * begin; v < 3 * end; ++v)
+      {
+        other[v] += static_cast<float>(away[static_cast<int>(v % 3)]);
+      }
+    });
+}
+
+/// Of the heavier texture.
+void TextureAdvector::measureStretch(Result& result) const
+{
+  const AirSnapshot& now = this->Snapshots.at(this->stepBefore(this->Target));
+  AirMotion motion;
+  motion.wind.grid = &this->Air.columns;
+  motion.wind.levels = this->Air.levels;
+  motion.wind.radius = this->Air.radius;
+  motion.height[0] = motion.height[1] = now.height.data();
+  motion.heightScale = this->Air.heightScale;
+  const int nx = this->Air.columns.columns();
+  const int ny = this->Air.columns.rows();
+  result.stretch.resize(this->Air.points());
+  const float* const c = result.coordinates[result.weight[1] > result.weight[0] ? 1 : 0].data();
+  float* const out = result.stretch.data();
+  vtkSMPTools::For(0, static_cast<vtkIdType>(ny) * this->Air.levels,
+    [&motion, c, out, nx, ny](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        for (int i = 0; i < nx; ++i)
+        {
+          out[i + nx * row] = static_cast<float>(
+            stretchAt(motion, c, i, static_cast<int>(row % ny), static_cast<int>(row / ny))
+              .largest);
+        }
+      }
+    });
 }
 
 TextureAdvector::Result TextureAdvector::finish(vtkStructuredGrid* grid)
@@ -247,47 +359,15 @@ TextureAdvector::Result TextureAdvector::finish(vtkStructuredGrid* grid)
   if (this->Times.empty())
   {
     const AirSnapshot now = airSnapshotOf(this->Air, grid, 0);
-    const AirInterval still(this->Air, now, now);
-    result.coordinates[0] = this->advance(still, {}, nullptr, 0, 0, false);
+    std::vector<Leg> still{ { 0, 0, nullptr, {} } };
+    this->stand(now, still);
+    result.coordinates[0] = std::move(still[0].result);
     result.stretch.assign(this->Air.points(), 1.0F);
     return result;
   }
-  for (std::size_t n = 0; n < this->Textures.size(); ++n)
-  {
-    // Even numbers first, so that an array keeps its texture until that has faded.
-    const long texture = this->Textures[n];
-    const int place = this->Textures.size() == 2 && texture % 2 != 0 ? 1 : 0;
-    result.weight[place] = this->weightOf(texture);
-    result.coordinates[place] = this->coordinatesOf(texture);
-  }
-  const int heavier = result.weight[1] > result.weight[0] ? 1 : 0;
-  const AirSnapshot& now = this->Snapshots.at(this->stepBefore(this->Target));
-  const AirInterval still(this->Air, now, now);
-  const int nx = this->Air.columns.columns();
-  const int ny = this->Air.columns.rows();
-  result.stretch.resize(this->Air.points());
-  const float* const c = result.coordinates[heavier].data();
-  float* const out = result.stretch.data();
-  const AirMotion& motion = still.motion();
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Air.points()),
-    [&motion, c, out, nx, ny](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType p = begin; p < end; ++p)
-      {
-        out[p] = static_cast<float>(stretchAt(motion, c, static_cast<int>(p % nx),
-          static_cast<int>(p / nx % ny), static_cast<int>(p / nx / ny))
-                                      .largest);
-      }
-    });
-  for (std::size_t n = 0; n < this->Textures.size(); ++n)
-  {
-    const Vector3 away = displacementOf(this->Textures[n], this->Air);
-    std::vector<float>& all = result.coordinates[this->Textures[n] % 2 != 0 ? 1 : 0];
-    for (std::size_t v = 0; v < all.size(); ++v)
-    {
-      all[v] += static_cast<float>(away[static_cast<int>(v % 3)]);
-    }
-  }
+  this->locateTextures(result);
+  this->measureStretch(result);
+  this->displaceOther(result);
   this->forget();
   return result;
 }

@@ -56,6 +56,15 @@ public:
 private:
   using Displacement = std::vector<float>;
 
+  /// A texture's way through an interval: from where, and what it had become there.
+  struct Leg
+  {
+    long texture;
+    double from; // fraction of the interval
+    const Displacement* state;
+    Displacement result;
+  };
+
   void learn(vtkStructuredGrid* grid);
   void plan();
   void skipKnown();
@@ -64,9 +73,12 @@ private:
   double start(long texture) const;
   int firstStep(long texture) const;
   double weightOf(long texture) const;
-  Displacement advance(const AirInterval& interval, const TrajectoryScheme& scheme,
-    const Displacement* state, double from, double to, bool asDisplacement) const;
-  std::vector<float> coordinatesOf(long texture) const;
+  std::vector<Leg> legs(int step) const;
+  void advance(const AirInterval& interval, std::vector<Leg>& legs, double to, bool asDisplacement);
+  void stand(const AirSnapshot& now, std::vector<Leg>& legs) const;
+  void locateTextures(Result& result);
+  void displaceOther(Result& result) const;
+  void measureStretch(Result& result) const;
   void forget();
 
   Settings Setting;

@@ -143,10 +143,11 @@ int vtkCloudTextureAdvection::RequestData(
       output->GetFieldData()->AddArray(weights);
     }
     addArray(data, nephoscope::arrays::TextureStretch, 1, result.stretch);
-    std::vector<float> sorted = result.stretch;
-    std::sort(sorted.begin(), sorted.end());
-    this->MedianStretch = sorted[sorted.size() / 2];
-    this->MaximumStretch = sorted.back();
+    std::vector<float> ordered = result.stretch;
+    const auto middle = ordered.begin() + static_cast<std::ptrdiff_t>(ordered.size() / 2);
+    std::nth_element(ordered.begin(), middle, ordered.end());
+    this->MedianStretch = *middle;
+    this->MaximumStretch = *std::max_element(middle, ordered.end());
     this->UsedRestartPeriod = this->Work->Textures.period();
     this->NumberOfSubsteps = this->Work->Textures.substeps();
   }

@@ -40,7 +40,7 @@ struct Motion
   nephoscope::AirGrid Air;
   nephoscope::AirSnapshot Ends[2];
   std::unique_ptr<nephoscope::AirInterval> Wind;
-  nephoscope::TrajectoryScheme Scheme;
+  nephoscope::RowSchemes Schemes;
 
   Motion(vtkStructuredGrid* begin, vtkStructuredGrid* end, const double times[2], double tolerance)
     : Air(nephoscope::airGridOf(begin))
@@ -48,7 +48,7 @@ struct Motion
     this->Ends[0] = nephoscope::airSnapshotOf(this->Air, begin, times[0]);
     this->Ends[1] = nephoscope::airSnapshotOf(this->Air, end, times[1]);
     this->Wind = std::make_unique<nephoscope::AirInterval>(this->Air, this->Ends[0], this->Ends[1]);
-    this->Scheme = this->Wind->scheme(
+    this->Schemes = this->Wind->schemes(
       nephoscope::Integrator::RungeKutta2, nephoscope::Interpolation::Linear, tolerance);
   }
 };
@@ -121,7 +121,8 @@ vtkSmartPointer<vtkDataArray> carried(vtkDataArray* begin, vtkDataArray* end, do
         const int j = static_cast<int>(p / nx % ny);
         const int k = static_cast<int>(p / nx / ny);
         const double value = nephoscope::carriedValue(fields, motion.Air.points() / wind.levels,
-          nephoscope::carriedStencils(wind, motion.Scheme, interpolation, i, j, k, at), at);
+          nephoscope::carriedStencils(wind, motion.Schemes.at(j, k), interpolation, i, j, k, at),
+          at);
         out[p] = std::isfinite(value) ? static_cast<float>(value) : fields[at > 0.5 ? 1 : 0][p];
       }
     });

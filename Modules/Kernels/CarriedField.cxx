@@ -79,12 +79,11 @@ double readField(const float* field, std::size_t columns, const FieldStencil& st
 CarriedStencils carriedStencils(const WindPair& wind, const TrajectoryScheme& scheme,
   Interpolation interpolation, int i, int j, int k, double at)
 {
-  const Parcel here{ wind.grid->position(i, j), static_cast<double>(k) };
   CarriedStencils stencils;
   for (int end = 0; end < 2; ++end)
   {
-    stencils.end[end] =
-      fieldStencil(*wind.grid, wind.levels, follow(wind, scheme, here, at, end), interpolation);
+    stencils.end[end] = fieldStencil(
+      *wind.grid, wind.levels, followFromPoint(wind, scheme, i, j, k, at, end), interpolation);
   }
   return stencils;
 }

@@ -15,6 +15,12 @@ constexpr double PoleTolerance = 1e-6; // radians; a row this near is the pole i
 template <class Nodes>
 void setWeights(Nodes& nodes, const std::array<double, 4>& at, double place)
 {
+  if (nodes.count == 2)
+  {
+    nodes.weight[1] = (place - at[0]) / (at[1] - at[0]);
+    nodes.weight[0] = 1 - nodes.weight[1];
+    return;
+  }
   for (int a = 0; a < nodes.count; ++a)
   {
     double weight = 1;
@@ -25,6 +31,16 @@ void setWeights(Nodes& nodes, const std::array<double, 4>& at, double place)
     nodes.weight[a] = weight;
   }
 }
+
+std::vector<std::array<double, 2>> directionsOf(const std::vector<double>& angles)
+{
+  std::vector<std::array<double, 2>> directions;
+  for (const double angle : angles)
+  {
+    directions.push_back({ std::cos(angle), std::sin(angle) });
+  }
+  return directions;
+}
 }
 
 void ColumnGrid::Axis::set(std::vector<double> values)
@@ -32,6 +48,11 @@ void ColumnGrid::Axis::set(std::vector<double> values)
   this->Values = std::move(values);
   const int n = static_cast<int>(this->Values.size());
   this->Descending = n > 1 && this->Values.back() < this->Values.front();
+  this->Rising = this->Values;
+  if (this->Descending)
+  {
+    std::reverse(this->Rising.begin(), this->Rising.end());
+  }
   this->Guess.clear();
   if (n < 2)
   {
@@ -53,7 +74,7 @@ void ColumnGrid::Axis::set(std::vector<double> values)
 
 int ColumnGrid::Axis::interval(double at) const
 {
-  const int n = static_cast<int>(this->Values.size());
+  const int n = static_cast<int>(this->Rising.size());
   const double bin = std::min(std::max((at - this->First) * this->Scale, 0.0), n - 1.0);
   int k = this->Guess[static_cast<int>(bin)];
   while (k > 0 && this->rising(k) > at)
@@ -73,6 +94,8 @@ ColumnGrid ColumnGrid::sphere(std::vector<double> longitudes, std::vector<double
   grid.Sphere = true;
   grid.X.set(std::move(longitudes));
   grid.Y.set(std::move(latitudes));
+  grid.ColumnDirections = directionsOf(grid.X.Values);
+  grid.RowDirections = directionsOf(grid.Y.Values);
 
   const int nx = grid.columns();
   if (nx > 2)
@@ -101,14 +124,6 @@ ColumnGrid ColumnGrid::plane(std::vector<double> x, std::vector<double> y)
   grid.X.set(std::move(x));
   grid.Y.set(std::move(y));
   return grid;
-}
-
-Vector3 ColumnGrid::position(int i, int j) const
-{
-  const double x = this->X.Values[i];
-  const double y = this->Y.Values[j];
-  return this->Sphere ? Vector3{ std::cos(y) * std::cos(x), std::cos(y) * std::sin(x), std::sin(y) }
-                      : Vector3{ x, y, 0 };
 }
 
 ColumnGrid::Nodes ColumnGrid::nodesOfLongitude(double x, Interpolation interpolation) const
@@ -223,7 +238,7 @@ void ColumnGrid::locate(
   if (this->Sphere)
   {
     x = std::atan2(position[1], position[0]);
-    y = std::atan2(position[2], std::hypot(position[0], position[1]));
+    y = std::atan2(position[2], std::sqrt(position[0] * position[0] + position[1] * position[1]));
   }
   const int nx = this->columns();
   const int ny = this->rows();

@@ -54,14 +54,19 @@ public:
   int columns() const { return static_cast<int>(this->X.Values.size()); }
   int rows() const { return static_cast<int>(this->Y.Values.size()); }
 
-  /// The position of a column.
-  Vector3 position(int i, int j) const;
+  /// The position of a column. Cost: three multiplications.
+  Vector3 position(int i, int j) const
+  {
+    return this->Sphere ? Vector3{ this->RowDirections[j][0] * this->ColumnDirections[i][0],
+      this->RowDirections[j][0] * this->ColumnDirections[i][1], this->RowDirections[j][1] }
+                        : Vector3{ this->X.Values[i], this->Y.Values[j], 0 };
+  }
 
   /**
    * @brief Where to read a field for a position.
    * Outside a grid that does not go round, the nearest place of its edge is read. With fewer than four rows or columns,
    * cubic is linear in that direction.
-   * Cost: about 20 ns linear, 60 ns cubic, and an atan2 or two on the sphere. Thread-safe, allocation-free.
+   * Cost: about 10 ns linear, 50 ns cubic, and two atan2 on the sphere. Thread-safe, allocation-free.
    */
   void locate(const Vector3& position, Interpolation interpolation, ColumnStencil& stencil) const;
 
@@ -73,6 +78,7 @@ private:
   struct Axis
   {
     std::vector<double> Values;
+    std::vector<double> Rising; // the same, in rising order
     std::vector<int> Guess;
     double First = 0;
     double Scale = 0;
@@ -81,10 +87,7 @@ private:
     void set(std::vector<double> values);
     /// k with value k <= at <= value k+1 in rising order, 0 <= k <= n - 2.
     int interval(double at) const;
-    double rising(int k) const
-    {
-      return this->Values[this->Descending ? this->Values.size() - 1 - k : k];
-    }
+    double rising(int k) const { return this->Rising[k]; }
   };
   struct Nodes
   {
@@ -101,6 +104,8 @@ private:
 
   Axis X;
   Axis Y;
+  std::vector<std::array<double, 2>> ColumnDirections; // cosine, sine of each longitude
+  std::vector<std::array<double, 2>> RowDirections;    // and latitude
   bool Sphere = false;
   bool Periodic = false;
   int Period = 0;                               // columns that differ, where periodic

@@ -68,15 +68,21 @@ Vector3 placeOfPoint(const AirMotion& air, int i, int j, int k, double at)
   return placeOf(air, air.wind.grid->position(i, j), height);
 }
 
-Vector3 carriedCoordinates(const AirMotion& air, const TrajectoryScheme& scheme,
-  const float* displacement, int i, int j, int k, double from, double to)
+void depart(const AirMotion& air, const TrajectoryScheme& scheme, int i, int j, int k, double from,
+  double to, Departure& departure)
 {
   const ColumnGrid& grid = *air.wind.grid;
-  const Parcel was =
-    follow(air.wind, scheme, { grid.position(i, j), static_cast<double>(k) }, to, from);
+  if (from == to)
+  {
+    departure.place = placeOfPoint(air, i, j, k, to);
+    departure.stencil.set(i + static_cast<std::size_t>(grid.columns()) * j + air.columns() * k);
+    return;
+  }
+  const Parcel was = followFromPoint(air.wind, scheme, i, j, k, to, from);
   ColumnStencil across;
   grid.locate(was.position, scheme.interpolation, across);
-  const LevelStencil up = levelStencil(was.level, air.wind.levels, scheme.interpolation);
+  departure.stencil.set(
+    air.columns(), across, levelStencil(was.level, air.wind.levels, scheme.interpolation));
   double height = 0;
   for (int time = 0; time < 2; ++time)
   {
@@ -84,45 +90,58 @@ Vector3 carriedCoordinates(const AirMotion& air, const TrajectoryScheme& scheme,
     if (share != 0)
     {
       double z[1];
-      read(air.height[time], air.columns(), across, up, z);
+      read(air.height[time], departure.stencil, z);
       height += share * z[0];
     }
   }
-  Vector3 result = placeOf(air, was.position, height);
-  if (displacement)
-  {
-    double moved[3];
-    read(displacement, air.columns(), across, up, moved);
-    result = result + Vector3{ moved[0], moved[1], moved[2] };
-  }
-  return result;
+  departure.place = placeOf(air, was.position, height);
 }
 
-double motionThroughLevels(const AirMotion& air, int time, int i, int j, int k, double w)
+Vector3 carriedCoordinates(const Departure& departure, const float* displacement)
+{
+  if (!displacement)
+  {
+    return departure.place;
+  }
+  double moved[3];
+  read(displacement, departure.stencil, moved);
+  return departure.place + Vector3{ moved[0], moved[1], moved[2] };
+}
+
+ColumnSlope::ColumnSlope(const AirMotion& air, int i, int j)
+  : Column(i + static_cast<std::size_t>(air.wind.grid->columns()) * j)
+{
+  const Surroundings s(air, i, j);
+  this->Beside = { static_cast<std::size_t>(s.west), static_cast<std::size_t>(s.east),
+    static_cast<std::size_t>(s.south), static_cast<std::size_t>(s.north) };
+  this->Flat = !s.span();
+  if (!this->Flat)
+  {
+    const double scale = 1 / s.determinant();
+    this->A = scale * (s.bb() * s.a - s.ab() * s.b);
+    this->B = scale * (s.aa() * s.b - s.ab() * s.a);
+  }
+}
+
+double ColumnSlope::motionThroughLevels(const AirMotion& air, int time, int k, double w) const
 {
   const std::size_t level = air.columns() * k;
-  const std::size_t column = i + static_cast<std::size_t>(air.wind.grid->columns()) * j;
+  const std::size_t point = level + this->Column;
   double motion = w;
   if (air.wind.seconds != 0)
   {
-    motion -= (static_cast<double>(air.height[1][level + column]) - air.height[0][level + column]) /
-      air.wind.seconds;
+    motion -= (static_cast<double>(air.height[1][point]) - air.height[0][point]) / air.wind.seconds;
   }
-  const Surroundings s(air, i, j);
-  if (s.span())
+  if (this->Flat)
   {
-    // v = alpha a + beta b, so v . grad z = alpha dz_a + beta dz_b.
-    const float* const v = air.wind.velocity[time] + 3 * (level + column);
-    const Vector3 wind{ v[0], v[1], v[2] };
-    const double va = dot(wind, s.a);
-    const double vb = dot(wind, s.b);
-    const double alpha = (va * s.bb() - vb * s.ab()) / s.determinant();
-    const double beta = (vb * s.aa() - va * s.ab()) / s.determinant();
-    const float* const z = air.height[time] + level;
-    motion -= alpha * (static_cast<double>(z[s.east]) - z[s.west]) +
-      beta * (static_cast<double>(z[s.north]) - z[s.south]);
+    return motion;
   }
-  return motion;
+  const float* const v = air.wind.velocity[time] + 3 * point;
+  const Vector3 wind{ v[0], v[1], v[2] };
+  const float* const z = air.height[time] + level;
+  const auto [west, east, south, north] = this->Beside;
+  return motion - dot(wind, this->A) * (static_cast<double>(z[east]) - z[west]) -
+    dot(wind, this->B) * (static_cast<double>(z[north]) - z[south]);
 }
 
 Stretch stretchAt(const AirMotion& air, const float* coordinates, int i, int j, int k)

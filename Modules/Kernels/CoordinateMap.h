@@ -37,19 +37,44 @@ Vector3 placeOf(const AirMotion& air, const Vector3& position, double height);
 /// P of a point of the grid at a fraction of the interval.
 Vector3 placeOfPoint(const AirMotion& air, int i, int j, int k, double at);
 
-/**
- * @brief C at a point of the grid at fraction `to`, from the map at fraction `from`.
- * @param displacement D at `from`, 3 floats a point, m; null where the map begins at `from`
- */
-Vector3 carriedCoordinates(const AirMotion& air, const TrajectoryScheme& scheme,
-  const float* displacement, int i, int j, int k, double from, double to);
+/// Where the air of a point was, and how fields are read there.
+struct Departure
+{
+  Vector3 place; ///< P_a(x_a), m
+  PointStencil stencil;
+};
+
+/// Of the air that is at a point of the grid at fraction `to`, at fraction `from`. One for all maps that are carried from there.
+void depart(const AirMotion& air, const TrajectoryScheme& scheme, int i, int j, int k, double from,
+  double to, Departure& departure);
 
 /**
- * @brief What moves the air through the level surfaces at a point: w - dz/dt|s - v . grad_s z, m/s.
- * @param time 0 or 1, the end of the interval; w the upward wind there, m/s
- * The slope is by central differences, one-sided at edges; at a pole row and on a single row or column it counts as level.
+ * @brief C where a departure leads to, from the map there.
+ * @param displacement D at the departure's time, 3 floats a point, m; null where the map begins then
  */
-double motionThroughLevels(const AirMotion& air, int time, int i, int j, int k, double w);
+Vector3 carriedCoordinates(const Departure& departure, const float* displacement);
+
+/// The slope of the level surfaces about a column, and what it does to the air.
+class ColumnSlope
+{
+public:
+  ColumnSlope(const AirMotion& air, int i, int j);
+
+  /**
+   * @brief What moves the air through the level surfaces at level k: w - dz/dt|s - v . grad_s z, m/s.
+   * @param time 0 or 1, the end of the interval; w the upward wind there, m/s
+   * The slope is by central differences, one-sided at edges; at a pole row and on a single row or column it counts as level.
+   */
+  double motionThroughLevels(const AirMotion& air, int time, int k, double w) const;
+
+private:
+  std::size_t Column;
+  std::array<std::size_t, 4> Beside; // columns to the west, east, south, north
+  bool Flat = true;
+  // v . grad z = (v . A)(z_east - z_west) + (v . B)(z_north - z_south)
+  Vector3 A{ 0, 0, 0 };
+  Vector3 B{ 0, 0, 0 };
+};
 
 /// How a map of coordinates stretches its surroundings: singular values of its gradient along a level surface.
 struct Stretch

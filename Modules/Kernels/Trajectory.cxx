@@ -2,6 +2,7 @@
 #include "Trajectory.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace nephoscope
 {
@@ -14,18 +15,9 @@ struct Motion
   double up = 0;
 };
 
-/**
- * Velocity at a parcel. A stage of a Runge-Kutta step may lie off the sphere; there the wind is that of the direction,
- * scaled with the distance, which makes a rotation linear and every motion one along the sphere.
- */
-Motion motionAt(const WindPair& wind, Interpolation interpolation, const Parcel& parcel, double at)
+/// The wind at a fraction of the interval.
+Motion readMotion(const WindPair& wind, double at, const PointStencil& stencil)
 {
-  const bool sphere = wind.grid->isSphere();
-  const Vector3 place = sphere ? normalized(parcel.position) : parcel.position;
-  ColumnStencil across;
-  wind.grid->locate(place, interpolation, across);
-  const LevelStencil up = levelStencil(parcel.level, wind.levels, interpolation);
-  const std::size_t columns = static_cast<std::size_t>(wind.grid->columns()) * wind.grid->rows();
   const double share[2] = { 1 - at, at };
   Motion motion;
   for (int time = 0; time < 2; ++time)
@@ -35,28 +27,92 @@ Motion motionAt(const WindPair& wind, Interpolation interpolation, const Parcel&
       continue;
     }
     double v[3];
-    read(wind.velocity[time], columns, across, up, v);
+    read(wind.velocity[time], stencil, v);
     motion.across = motion.across + share[time] * Vector3{ v[0], v[1], v[2] };
     if (wind.levelVelocity[time])
     {
       double c[1];
-      read(wind.levelVelocity[time], columns, across, up, c);
+      read(wind.levelVelocity[time], stencil, c);
       motion.up += share[time] * c[0];
     }
   }
-  if (sphere)
+  return motion;
+}
+
+/**
+ * What a wind does to a position. A stage of a Runge-Kutta step may lie off the sphere; there the wind is that of the direction,
+ * scaled with the distance, which makes a rotation linear and every motion one along the sphere.
+ */
+Motion alongSurface(const WindPair& wind, Motion motion, const Vector3& place, double distance)
+{
+  if (wind.grid->isSphere())
   {
     motion.across = motion.across - dot(motion.across, place) * place;
-    motion.across = (length(parcel.position) / wind.radius) * motion.across;
+    motion.across = (distance / wind.radius) * motion.across;
   }
   const bool finite = std::isfinite(dot(motion.across, motion.across)) && std::isfinite(motion.up);
   return finite ? motion : Motion{};
+}
+
+/// Velocity at a parcel.
+Motion motionAt(const WindPair& wind, Interpolation interpolation, const Parcel& parcel, double at)
+{
+  const double distance = wind.grid->isSphere() ? length(parcel.position) : 1;
+  const Vector3 place = distance > 0 ? (1 / distance) * parcel.position : parcel.position;
+  ColumnStencil across;
+  wind.grid->locate(place, interpolation, across);
+  PointStencil stencil;
+  stencil.set(static_cast<std::size_t>(wind.grid->columns()) * wind.grid->rows(), across,
+    levelStencil(parcel.level, wind.levels, interpolation));
+  return alongSurface(wind, readMotion(wind, at, stencil), place, distance);
+}
+
+/// Velocity at a point of the grid.
+Motion motionAtPoint(const WindPair& wind, int i, int j, int k, double at)
+{
+  const ColumnGrid& grid = *wind.grid;
+  PointStencil stencil;
+  stencil.set(
+    i + static_cast<std::size_t>(grid.columns()) * (j + static_cast<std::size_t>(grid.rows()) * k));
+  return alongSurface(wind, readMotion(wind, at, stencil), grid.position(i, j), 1);
 }
 
 Parcel moved(const Parcel& parcel, const Motion& motion, double seconds, int levels)
 {
   return { parcel.position + seconds * motion.across,
     std::min(std::max(parcel.level + seconds * motion.up, 0.0), levels - 1.0) };
+}
+
+/// Follow a parcel whose motion at the beginning is known.
+Parcel followAfter(const WindPair& wind, const TrajectoryScheme& scheme, Motion first,
+  Parcel parcel, double from, double to)
+{
+  const int substeps =
+    std::max(static_cast<int>(std::ceil(std::abs(to - from) * scheme.substeps - 1e-9)), 1);
+  const double step = (to - from) / substeps;
+  const double seconds = step * wind.seconds;
+  const auto motion = [&wind, &scheme](const Parcel& p, double at)
+  { return motionAt(wind, scheme.interpolation, p, at); };
+  for (int n = 0; n < substeps; ++n)
+  {
+    const double at = from + n * step;
+    const Motion k1 = n == 0 ? first : motion(parcel, at);
+    const Motion k2 = motion(moved(parcel, k1, seconds / 2, wind.levels), at + step / 2);
+    Motion mean = k2;
+    if (scheme.integrator == Integrator::RungeKutta4)
+    {
+      const Motion k3 = motion(moved(parcel, k2, seconds / 2, wind.levels), at + step / 2);
+      const Motion k4 = motion(moved(parcel, k3, seconds, wind.levels), at + step);
+      mean.across = (1.0 / 6) * (k1.across + 2 * k2.across + 2 * k3.across + k4.across);
+      mean.up = (k1.up + 2 * k2.up + 2 * k3.up + k4.up) / 6;
+    }
+    parcel = moved(parcel, mean, seconds, wind.levels);
+    if (wind.grid->isSphere())
+    {
+      parcel.position = normalized(parcel.position);
+    }
+  }
+  return parcel;
 }
 }
 
@@ -87,32 +143,15 @@ LevelStencil levelStencil(double level, int levels, Interpolation interpolation)
 Parcel follow(
   const WindPair& wind, const TrajectoryScheme& scheme, Parcel parcel, double from, double to)
 {
-  const int substeps =
-    std::max(static_cast<int>(std::ceil(std::abs(to - from) * scheme.substeps - 1e-9)), 1);
-  const double step = (to - from) / substeps;
-  const double seconds = step * wind.seconds;
-  const auto motion = [&wind, &scheme](const Parcel& p, double at)
-  { return motionAt(wind, scheme.interpolation, p, at); };
-  for (int n = 0; n < substeps; ++n)
-  {
-    const double at = from + n * step;
-    const Motion k1 = motion(parcel, at);
-    const Motion k2 = motion(moved(parcel, k1, seconds / 2, wind.levels), at + step / 2);
-    Motion mean = k2;
-    if (scheme.integrator == Integrator::RungeKutta4)
-    {
-      const Motion k3 = motion(moved(parcel, k2, seconds / 2, wind.levels), at + step / 2);
-      const Motion k4 = motion(moved(parcel, k3, seconds, wind.levels), at + step);
-      mean.across = (1.0 / 6) * (k1.across + 2 * k2.across + 2 * k3.across + k4.across);
-      mean.up = (k1.up + 2 * k2.up + 2 * k3.up + k4.up) / 6;
-    }
-    parcel = moved(parcel, mean, seconds, wind.levels);
-    if (wind.grid->isSphere())
-    {
-      parcel.position = normalized(parcel.position);
-    }
-  }
-  return parcel;
+  return followAfter(
+    wind, scheme, motionAt(wind, scheme.interpolation, parcel, from), parcel, from, to);
+}
+
+Parcel followFromPoint(
+  const WindPair& wind, const TrajectoryScheme& scheme, int i, int j, int k, double from, double to)
+{
+  return followAfter(wind, scheme, motionAtPoint(wind, i, j, k, from),
+    { wind.grid->position(i, j), static_cast<double>(k) }, from, to);
 }
 
 int substepsFor(
@@ -140,49 +179,89 @@ void levelVelocity(int n, const double* height, const double* following, double*
   }
 }
 
-void measureWind(const ColumnGrid& grid, int levels, double radius, const float* velocity,
-  double& speed, double& strain)
+void WindMeasure::include(const WindMeasure& other)
+{
+  this->speed = std::max(this->speed, other.speed);
+  this->strain = std::max(this->strain, other.strain);
+}
+
+WindMeasure measureRow(const ColumnGrid& grid, double radius, const float* velocity, int j, int k)
 {
   const int nx = grid.columns();
   const int ny = grid.rows();
   const double scale = grid.isSphere() ? radius : 1;
-  const auto at = [=](int i, int j, int k)
+  const double nearest = grid.isSphere() ? 1e-9 : 0; // at a pole columns coincide but for rounding
+  const float* const level = velocity + 3 * static_cast<std::size_t>(nx) * ny * k;
+  const auto at = [level, nx](int i, int row)
   {
-    const float* const v =
-      velocity + 3 * (i + static_cast<std::size_t>(nx) * (j + static_cast<std::size_t>(ny) * k));
+    const float* const v = level + 3 * (i + static_cast<std::size_t>(nx) * row);
     return Vector3{ v[0], v[1], v[2] };
   };
-  speed = 0;
-  strain = 0;
-  const auto compare = [&](int i0, int j0, int i1, int j1)
+  double speed2 = 0;
+  double strain2 = 0;
+  const auto compare = [&](int i, int i1, int j1)
   {
-    const double apart = length(grid.position(i1, j1) - grid.position(i0, j0));
-    const double distance = scale * apart;
-    // The columns of a pole's row coincide, but for rounding.
-    for (int k = 0; k < levels && apart > (grid.isSphere() ? 1e-9 : 0); ++k)
+    const Vector3 apart = grid.position(i1, j1) - grid.position(i, j);
+    const Vector3 change = at(i1, j1) - at(i, j);
+    const double distance2 = dot(apart, apart);
+    const double change2 = dot(change, change);
+    // Not a number compares false; there is rarely something to divide.
+    if (distance2 > nearest * nearest && change2 > strain2 * distance2)
     {
-      const double rate = length(at(i1, j1, k) - at(i0, j0, k)) / distance;
-      strain = rate > strain ? rate : strain; // NaN compares false
+      strain2 = change2 / distance2;
     }
   };
-  for (int j = 0; j < ny; ++j)
+  for (int i = 0; i < nx; ++i)
   {
-    for (int i = 0; i < nx; ++i)
+    const double here = dot(at(i, j), at(i, j));
+    speed2 = here > speed2 ? here : speed2;
+    if (i + 1 < nx)
     {
-      for (int k = 0; k < levels; ++k)
-      {
-        const double here = length(at(i, j, k));
-        speed = here > speed ? here : speed;
-      }
-      if (i + 1 < nx)
-      {
-        compare(i, j, i + 1, j);
-      }
-      if (j + 1 < ny)
-      {
-        compare(i, j, i, j + 1);
-      }
+      compare(i, i + 1, j);
+    }
+    if (j + 1 < ny)
+    {
+      compare(i, i, j + 1);
     }
   }
+  return { std::sqrt(speed2), std::sqrt(strain2) / scale };
+}
+
+std::vector<unsigned char> substepsOfRows(const ColumnGrid& grid, int levels, double radius,
+  const std::vector<WindMeasure>& measures, Integrator integrator, double seconds, double tolerance)
+{
+  const int ny = grid.rows();
+  double spacing = std::numeric_limits<double>::infinity();
+  for (int j = 0; j + 1 < ny; ++j)
+  {
+    spacing = std::min(spacing, length(grid.position(0, j + 1) - grid.position(0, j)));
+  }
+  spacing *= grid.isSphere() ? radius : 1;
+  std::vector<unsigned char> substeps(measures.size());
+  for (int k = 0; k < levels; ++k)
+  {
+    const int lowest = std::max(k - 1, 0);
+    const int highest = std::min(k + 1, levels - 1);
+    std::vector<WindMeasure> row(ny);
+    double fastest = 0;
+    for (int n = lowest * ny; n < (highest + 1) * ny; ++n)
+    {
+      row[n % ny].include(measures[n]);
+      fastest = std::max(fastest, measures[n].speed);
+    }
+    const double far = std::ceil(fastest * std::abs(seconds) / spacing);
+    const int reach = far < ny ? static_cast<int>(far) : ny;
+    for (int j = 0; j < ny; ++j)
+    {
+      WindMeasure met;
+      for (int n = std::max(j - reach - 1, 0); n <= std::min(j + reach, ny - 1); ++n)
+      {
+        met.include(row[n]);
+      }
+      substeps[j + ny * k] = static_cast<unsigned char>(
+        substepsFor(integrator, seconds, met.speed, met.strain, tolerance));
+    }
+  }
+  return substeps;
 }
 }

@@ -14,7 +14,7 @@
  *
  * Order: RungeKutta2 (midpoint) 2, RungeKutta4 (the classical one) 4 in the step, as long as the wind as it is interpolated
  * is smooth: piecewise linear wind limits both to about 2, cubic to about 4. Stable for any step: no position leaves the
- * grid; steps are divided until the estimated error is below a tolerance (substepsFor).
+ * grid; steps are divided until the estimated error is below a tolerance (substepsFor, substepsOfRows).
  *
  * @sa ColumnGrid, vtkCloudTextureAdvection, TestTrajectory.cxx
  */
@@ -23,7 +23,9 @@
 
 #include "ColumnGrid.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace nephoscope
 {
@@ -71,28 +73,48 @@ struct LevelStencil
 /// Levels are equally spaced in their number; a level beyond the ends is read at the end; cubic needs four levels.
 LevelStencil levelStencil(double level, int levels, Interpolation interpolation);
 
-/// Value of a field of interleaved components; `columns` is the number of columns in a level.
-template <int Components, class Scalar>
-void read(const Scalar* field, std::size_t columns, const ColumnStencil& across,
-  const LevelStencil& up, double (&value)[Components])
+/// The points of a grid that a place is read from, and their weights, which sum to 1.
+struct PointStencil
 {
-  for (double& v : value)
+  int count = 0;
+  std::array<std::size_t, 64> point;
+  std::array<double, 64> weight;
+
+  /// @param columns number of columns in a level
+  void set(std::size_t columns, const ColumnStencil& across, const LevelStencil& up)
   {
-    v = 0;
-  }
-  for (int l = 0; l < up.count; ++l)
-  {
-    const Scalar* const level = field + Components * columns * (up.first + l);
-    for (int n = 0; n < across.count; ++n)
+    this->count = 0;
+    for (int l = 0; l < up.count; ++l)
     {
-      const double weight = up.weight[l] * across.weight[n];
-      const Scalar* const at = level + static_cast<std::size_t>(Components) * across.column[n];
-      for (int c = 0; c < Components; ++c)
+      for (int n = 0; n < across.count; ++n, ++this->count)
       {
-        value[c] += weight * at[c];
+        this->point[this->count] = columns * (up.first + l) + across.column[n];
+        this->weight[this->count] = up.weight[l] * across.weight[n];
       }
     }
   }
+  void set(std::size_t only)
+  {
+    this->count = 1;
+    this->point[0] = only;
+    this->weight[0] = 1;
+  }
+};
+
+/// Value of a field of interleaved components.
+template <int Components>
+void read(const float* field, const PointStencil& stencil, double (&value)[Components])
+{
+  double sum[Components] = {};
+  for (int n = 0; n < stencil.count; ++n)
+  {
+    const float* const at = field + Components * stencil.point[n];
+    for (int c = 0; c < Components; ++c)
+    {
+      sum[c] += stencil.weight[n] * at[c];
+    }
+  }
+  std::copy(sum, sum + Components, value);
 }
 
 /**
@@ -103,6 +125,10 @@ void read(const Scalar* field, std::size_t columns, const ColumnStencil& across,
  */
 Parcel follow(
   const WindPair& wind, const TrajectoryScheme& scheme, Parcel parcel, double from, double to);
+
+/// The same from a point of the grid, whose wind is read without a search.
+Parcel followFromPoint(const WindPair& wind, const TrajectoryScheme& scheme, int i, int j, int k,
+  double from, double to);
 
 /**
  * @brief Number of substeps that keeps the estimated error of a trajectory below a tolerance.
@@ -125,8 +151,27 @@ int substepsFor(
  */
 void levelVelocity(int n, const double* height, const double* following, double* velocity);
 
-/// The largest speed [m/s] and strain rate [1/s] of a wind field: differences of neighbours over their distance.
-void measureWind(const ColumnGrid& grid, int levels, double radius, const float* velocity,
-  double& speed, double& strain);
+/// The largest speed [m/s] and strain rate [1/s] of a wind: differences of neighbours over their distance.
+struct WindMeasure
+{
+  double speed = 0;
+  double strain = 0;
+  void include(const WindMeasure& other);
+};
+
+/// Of row j of level k, differences with row j + 1 included. Values that are not finite are left out.
+WindMeasure measureRow(const ColumnGrid& grid, double radius, const float* velocity, int j, int k);
+
+/**
+ * @brief Substeps for each row of each level (j + rows * k), from the wind that a parcel that ends there may have met.
+ *
+ * That is the wind of the rows that are within reach at the largest speed of its level and the two beside it, in these levels. So a storm,
+ * or the short way between meridians next to a pole, does not make all trajectories dear.
+ * @param measures of each row of each level; the larger of both times
+ * @param tolerance m, > 0, see substepsFor
+ */
+std::vector<unsigned char> substepsOfRows(const ColumnGrid& grid, int levels, double radius,
+  const std::vector<WindMeasure>& measures, Integrator integrator, double seconds,
+  double tolerance);
 }
 #endif

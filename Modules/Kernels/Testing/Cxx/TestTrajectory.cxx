@@ -325,9 +325,12 @@ TEST(Trajectory, SubstepsGrowWithStrainAndShrinkWithOrder)
   // The estimate bounds the error of a rotation, whose strain rate is its angular velocity.
   const ColumnGrid grid = globe(128, 64);
   const std::vector<float> wind = sample(grid, rotation(0.3), 0);
-  double speed = 0;
-  double strain = 0;
-  measureWind(grid, 1, Radius, wind.data(), speed, strain);
+  WindMeasure all;
+  for (int j = 0; j < grid.rows(); ++j)
+  {
+    all.include(measureRow(grid, Radius, wind.data(), j, 0));
+  }
+  const auto [speed, strain] = all;
   EXPECT_NEAR(speed, 2 * Pi * Radius / (12 * Day), 0.1);
   EXPECT_NEAR(strain, 2 * Pi / (12 * Day), 2e-7);
   for (const double tolerance : { 1e5, 1e4, 1e3 })
@@ -341,5 +344,72 @@ TEST(Trajectory, SubstepsGrowWithStrainAndShrinkWithOrder)
         { Integrator::RungeKutta4, Interpolation::Cubic, 64 });
       EXPECT_LT(Radius * largestDistance(got, exact), tolerance);
     }
+  }
+}
+
+TEST(Trajectory, RowsHaveTheSubstepsOfTheWindWithinReach)
+{
+  // A jet at 45 degrees north in the middle one of five levels, calm elsewhere.
+  const ColumnGrid grid = globe(48, 60);
+  std::vector<float> wind;
+  for (int k = 0; k < 5; ++k)
+  {
+    const std::vector<float> level = sample(
+      grid,
+      [k](const Vector3& p, double)
+      {
+        const double off = (std::asin(p[2]) - Pi / 4) / 0.1;
+        return (k == 2 ? 80 * std::exp(-off * off) : 0.0) * Vector3{ -p[1], p[0], 0 };
+      },
+      0);
+    wind.insert(wind.end(), level.begin(), level.end());
+  }
+  std::vector<WindMeasure> rows;
+  for (int n = 0; n < 5 * 60; ++n)
+  {
+    rows.push_back(measureRow(grid, Radius, wind.data(), n % 60, n / 60));
+  }
+  const double hours = 6 * 3600;
+  const double tolerance = 2000;
+  const std::vector<unsigned char> substeps =
+    substepsOfRows(grid, 5, Radius, rows, Integrator::RungeKutta2, hours, tolerance);
+  ASSERT_EQ(substeps.size(), rows.size());
+  const int jet = 45;
+  EXPECT_GT(substeps[jet + 60 * 2], 3);
+  EXPECT_EQ(substeps[jet + 60 * 1], substeps[jet + 60 * 2]); // the levels beside it
+  EXPECT_EQ(substeps[jet + 60 * 3], substeps[jet + 60 * 2]);
+  EXPECT_EQ(substeps[jet], 1);         // two levels below
+  EXPECT_EQ(substeps[20 + 60 * 2], 1); // in the south
+  // What they are for: every trajectory that ends on a point is as exact as asked.
+  WindPair pair;
+  pair.grid = &grid;
+  pair.levels = 5;
+  pair.radius = Radius;
+  pair.velocity[0] = pair.velocity[1] = wind.data();
+  pair.seconds = hours;
+  for (int n = 0; n < 5 * 60; ++n)
+  {
+    const TrajectoryScheme scheme{ Integrator::RungeKutta2, Interpolation::Cubic, substeps[n] };
+    const TrajectoryScheme fine{ Integrator::RungeKutta4, Interpolation::Cubic, 64 };
+    const Parcel got = followFromPoint(pair, scheme, 7, n % 60, n / 60, 1, 0);
+    const Parcel exact = followFromPoint(pair, fine, 7, n % 60, n / 60, 1, 0);
+    EXPECT_LT(Radius * length(got.position - exact.position), tolerance) << n;
+  }
+}
+
+TEST(Trajectory, FromAPointIsAsFromItsPlace)
+{
+  const ColumnGrid grid = globe(32, 16);
+  const std::vector<float> wind = sample(grid, deformation(2), 0);
+  WindPair pair;
+  pair.grid = &grid;
+  pair.radius = Radius;
+  pair.velocity[0] = pair.velocity[1] = wind.data();
+  pair.seconds = 3600;
+  for (int j = 0; j < 16; ++j)
+  {
+    const Parcel point = followFromPoint(pair, Best, 5, j, 0, 1, 0);
+    const Parcel place = follow(pair, Best, { grid.position(5, j), 0 }, 1, 0);
+    EXPECT_LT(length(point.position - place.position), 1e-12) << j;
   }
 }
