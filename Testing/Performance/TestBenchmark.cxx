@@ -7,6 +7,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 #include <stdexcept>
 #include <vector>
 
@@ -211,4 +212,33 @@ TEST(VolumeMethods, EachDrawsTheShellOrSaysWhyNot)
       m.method.label().c_str(), m.firstSeconds, m.median(), m.figures.at("error"),
       m.figures.at("largestError"));
   }
+}
+
+TEST(AdvectionMethods, ErrorsFallWithTheSchemeAndNoPointIsLost)
+{
+  Situation situation;
+  situation.points = { 81, 40, 5 };
+  std::map<std::string, Figures> ours;
+  for (const Measurement& m : measure(group("advection"), situation, { 1, 60 }, {}))
+  {
+    ASSERT_EQ(m.leftOut, "") << m.method.label();
+    EXPECT_GT(m.figures.at("error"), 0) << m.method.label();
+    if (m.method.ours)
+    {
+      EXPECT_EQ(m.figures.at("lost"), 0) << m.method.label();
+      ours[m.method.settings.at("integrator") + " " + m.method.settings.at("interpolation") + " " +
+        m.method.settings.at("tolerance")] = m.figures;
+    }
+    else
+    {
+      EXPECT_LT(m.figures.at("lost"), 0.6)
+        << m.method.label(); // the top and the bottom of five levels
+    }
+  }
+  // Errors are below the tolerance, but for what linear interpolation between columns 500 km apart adds.
+  EXPECT_LT(ours.at("RK2 linear 5000 m").at("largestError"), 5500);
+  EXPECT_LT(ours.at("RK2 linear 500 m").at("largestError"), 1000);
+  EXPECT_LT(ours.at("RK2 cubic 500 m").at("largestError"), 500);
+  EXPECT_LT(ours.at("RK2 cubic 5 m").at("error"), ours.at("RK2 cubic 500 m").at("error") / 10);
+  EXPECT_GT(ours.at("RK2 cubic 5 m").at("substeps"), ours.at("RK2 cubic 500 m").at("substeps"));
 }

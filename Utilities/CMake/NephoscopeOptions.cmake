@@ -38,7 +38,7 @@ endif ()
 # The VTK modules that ours depend on, directly or in tests.
 set(Nephoscope_VTK_COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
-  FiltersCore FiltersGeneral FiltersGeometry FiltersHybrid FiltersSources
+  FiltersCore FiltersFlowPaths FiltersGeneral FiltersGeometry FiltersHybrid FiltersSources
   IOCore IOImage IOXML RenderingCore RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2)
 if (Nephoscope_WRAP_PYTHON)
   list(APPEND Nephoscope_VTK_COMPONENTS WrappingPythonCore WrappingTools)

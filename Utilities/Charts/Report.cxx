@@ -60,12 +60,18 @@ double sizeOf(const Situation& s, Study::Kind kind)
                                          : static_cast<double>(s.cells());
 }
 
+const char* errorLabel(const std::string& group)
+{
+  return group == "contour" ? "RMS error of cloud fraction over the surface"
+    : group == "advection"  ? "RMS error of position, m of the scene"
+                            : "RMS error of transmittance";
+}
+
 LogChart speedAndAccuracy(const Study& study, const std::vector<Measurement>& measured)
 {
   LogChart chart;
   chart.xLabel = "Time a run: median wall clock, after the first";
-  chart.yLabel = study.group == "contour" ? "RMS error of cloud fraction over the surface"
-                                          : "RMS error of transmittance";
+  chart.yLabel = errorLabel(study.group);
   chart.pareto = true;
   for (const Measurement& m : measured)
   {
@@ -184,6 +190,8 @@ std::vector<Study> studies(bool quick, int threads)
   return {
     { "contour", "contour", Study::SpeedAndAccuracy, grids({ grid }, picture, threads), accuracy },
     { "volume", "volume", Study::SpeedAndAccuracy, grids({ grid }, picture, threads), accuracy },
+    { "advection", "advection", Study::SpeedAndAccuracy, grids({ grid }, picture, threads),
+      accuracy },
     { "contour-cells", "contour", Study::GrowthWithCells, grids(sizes, picture, threads), growing },
     { "volume-cells", "volume", Study::GrowthWithCells, grids(sizes, picture, threads), growing },
     { "volume-pixels", "volume", Study::GrowthWithPixels, pictures, growing },

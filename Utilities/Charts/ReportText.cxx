@@ -90,7 +90,7 @@ std::string tableText(const std::vector<Measurement>& measured)
 {
   std::string table = "<table>\n" +
     row({ "method", "settings", "grid", "picture", "median", "spread", "first", "input", "peak",
-          "RMS error", "largest error", "load" },
+          "RMS error", "largest error", "lost", "load" },
       "th");
   for (const Measurement& m : measured)
   {
@@ -106,7 +106,8 @@ std::string tableText(const std::vector<Measurement>& measured)
     table += row({ m.method.name, settingsText(m.method), grid, picture, secondsText(m.median()),
                    secondsText(m.spread()), secondsText(m.firstSeconds),
                    digits("%.0f MB", m.inputMemory / 1e6), digits("%.0f MB", m.peakMemory / 1e6),
-                   figureText(m, "error"), figureText(m, "largestError"), digits("%.1f", m.load) },
+                   figureText(m, "error"), figureText(m, "largestError"), figureText(m, "lost"),
+                   digits("%.1f", m.load) },
       "td");
   }
   return table + "</table>\n";
@@ -141,6 +142,7 @@ std::string situationText(const Situation& s)
 std::string titleOf(const Study& study)
 {
   const std::string what = study.group == "contour" ? "Contours of a gridded cloud field"
+    : study.group == "advection"                    ? "A step of trajectories on a turning globe"
                                                     : "Volume pictures of a gridded cloud field";
   switch (study.kind)
   {

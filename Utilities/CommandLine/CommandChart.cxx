@@ -66,8 +66,9 @@ void addChart(CLI::App& app)
 {
   auto options = std::make_shared<ChartOptions>();
   options->report.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  CLI::App* const command = app.add_subcommand(
-    "chart", "Measure contours and volumes against VTK's own, and chart speed against accuracy.");
+  CLI::App* const command = app.add_subcommand("chart",
+    "Measure contours, volumes and trajectories against VTK's own, and chart speed against "
+    "accuracy.");
   command
     ->add_option("-o,--output", options->report.folder,
       "folder for chart.json, SVG and PNG charts and index.html")
