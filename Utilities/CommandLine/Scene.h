@@ -99,7 +99,7 @@ struct TextureBody : SurfaceBody
   std::optional<double> wavelength;
   int octaves = 7;
   double offset = 0.6;
-  double threshold = 0.1;
+  double threshold = 0.15;
   std::optional<double> rimThreshold;
   double range = 0.35;
   int seed = 1;

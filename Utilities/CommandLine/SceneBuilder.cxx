@@ -76,13 +76,14 @@ public:
     // Coordinates that move are in metres, the places of points in scene units.
     surface->SetTextureWavelength(moves && body.wavelength ? *body.wavelength * 1000
         : body.wavelength                                  ? *body.wavelength * 1000 * metre
+        : this->Lie.isGlobe() && this->Lie.global          ? this->Lie.planetRadius / 4
                                                            : 4 * this->Lie.gridStep);
     surface->SetTextureOctaves(body.octaves);
     surface->SetTextureOffset(body.offset);
     surface->SetTextureThreshold(body.threshold);
-    // Flat clouds of a map are seen aslant everywhere: that is no outline to fray.
+    // Flat clouds of a map are seen aslant everywhere, those of a globe at its limb: that is no outline to fray.
     surface->SetTextureRimThreshold(
-      body.rimThreshold.value_or(this->Lie.isGlobe() ? 0.3 : body.threshold));
+      body.rimThreshold.value_or(this->Lie.isGlobe() ? 0.2 : body.threshold));
     surface->SetTextureRange(body.range);
     surface->SetTextureSeed(body.seed);
   }

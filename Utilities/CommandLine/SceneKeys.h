@@ -143,15 +143,17 @@ template <class Visitor>
 void visitKeys(TextureBody& body, Visitor&& visit)
 {
   visitKeys(static_cast<SurfaceBody&>(body), visit);
-  visit(Key{ "wavelength", "km", "longest wave of the texture", "4 grid steps", 1e-3, 1e5 },
+  visit(Key{ "wavelength", "km", "longest wave of the texture",
+          "4 grid steps; on a whole globe a quarter of its radius", 1e-3, 1e5 },
     body.wavelength);
   visit(Key{ "octaves", "1", "number of waves, each half as long as the last", "7", 1, 8 },
     body.octaves);
   visit(Key{ "offset", "1", "T0: large fills the gaps", "0.6", 0, 10 }, body.offset);
-  visit(Key{ "threshold", "1", "T1: the texture below it is clear", "0.1", -1, 1 }, body.threshold);
+  visit(
+    Key{ "threshold", "1", "T1: the texture below it is clear", "0.15", -1, 1 }, body.threshold);
   visit(
     Key{ "rimThreshold", "1", "T2: takes the threshold's place towards the outline, and frays it",
-      "0.3; on a map the threshold", -1, 1 },
+      "0.2; on a map the threshold", -1, 1 },
     body.rimThreshold);
   visit(
     Key{ "range", "1", "D: from clear to opaque; large is soft", "0.35", 1e-6, 10 }, body.range);

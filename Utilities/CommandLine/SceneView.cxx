@@ -264,7 +264,7 @@ double exaggerationOf(const Extent& extent)
   {
     // Between the points of a coarse grid, faces sag below the sphere; clouds from a quarter of a kilometre up stay above.
     const double sag = extent.gridStep * extent.gridStep / (8 * extent.planetRadius);
-    return std::round(std::clamp(sag / 250, 20.0, 40.0));
+    return std::round(std::clamp(sag / 250, 10.0, 40.0));
   }
   const double width = extent.isGlobe()
     ? extent.planetRadius

@@ -36,8 +36,8 @@ struct Extent
 
 Extent extentOf(vtkStructuredGrid* grid);
 
-/// Factor on heights that shows clouds as bodies: 20 on a whole globe, up to 40 where its grid is coarse; else the troposphere rises to a quarter of the data's
-/// width, from 1 to 40, two digits.
+/// Factor on heights that shows clouds as bodies: 10 on a whole globe, up to 40 where its grid is coarse; else the
+/// troposphere rises to a quarter of the data's width, from 1 to 40, two digits.
 double exaggerationOf(const Extent& extent);
 
 /// The camera that a view and the data ask for.

@@ -149,7 +149,7 @@ TEST(Exaggeration, MakesTheTroposphereAQuarterOfTheWidth)
   Extent globe = globeExtent(1);
   EXPECT_DOUBLE_EQ(exaggerationOf(globe), 40); // its rows are far apart
   globe.gridStep = 3e5;
-  EXPECT_DOUBLE_EQ(exaggerationOf(globe), 20);
+  EXPECT_DOUBLE_EQ(exaggerationOf(globe), 10);
   EXPECT_DOUBLE_EQ(exaggerationOf(boxExtent(1)), 7.5); // 480 km / (4 * 16 km)
   const double x[2] = { 0, 6e3 };
   EXPECT_DOUBLE_EQ(exaggerationOf(extentOf(gridOf("Local", x, x, 1))), 1) << "never flattened";
