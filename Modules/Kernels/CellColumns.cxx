@@ -148,6 +148,12 @@ PixelBox ColumnRays::box() const
   return all.pixels(this->Scan.image());
 }
 
+bool ColumnRays::touches(const Cell& cell, const TileRays& rays) const
+{
+  const PixelBox box = this->Scan.bounds(cell.corner).pixels(rays.extent());
+  return !box.empty() && box.nearest <= rays.limit();
+}
+
 void ColumnRays::emit(DeepTile& tile, const TileRays& rays, std::uint32_t source) const
 {
   if (this->Scan.isParallel())
@@ -170,8 +176,7 @@ void ColumnRays::emitCells(DeepTile& tile, const TileRays& rays, std::uint32_t s
     if (drawn[k])
     {
       const Cell cell = this->cell(k);
-      const PixelBox box = this->Scan.bounds(cell.corner).pixels(rays.extent());
-      if (box.empty() || box.nearest > rays.limit())
+      if (!this->touches(cell, rays))
       {
         continue;
       }

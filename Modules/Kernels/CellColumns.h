@@ -64,6 +64,9 @@ public:
   /// The pixels that its drawn cells may touch.
   PixelBox box() const;
 
+  /// Whether one of its cells may touch a tile before what is opaque there.
+  bool touches(int k, const TileRays& rays) const { return this->touches(this->cell(k), rays); }
+
   /// Add its segments to the tile. The source is one of DeepTile::addSource, kappa of Max 1994 eq. 5-7, for a cloud of one
   /// colour.
   void emit(DeepTile& tile, const TileRays& rays, std::uint32_t source) const;
@@ -77,6 +80,7 @@ private:
   };
 
   Cell cell(int k) const;
+  bool touches(const Cell& cell, const TileRays& rays) const;
   template <bool Parallel>
   void emitCells(DeepTile& tile, const TileRays& rays, std::uint32_t source) const;
 

@@ -160,7 +160,21 @@ void TetrahedronScan::emitPieces(DeepTile& tile, const TileRays& rays, std::uint
 }
 
 template <bool Parallel>
-void TetrahedronScan::emitColored(DeepTile& tile, const TileRays& rays,
+void TetrahedronScan::emitInOrder(OrderedTile& tile, const TileRays& rays,
+  const RayCorner* const (&corners)[4], const float (&extinction)[4],
+  const RGB* const (&color)[4]) const
+{
+  const PixelBox box = this->bounds(corners).pixels(rays.extent());
+  const Vector3* const q[4] = { &corners[0]->q, &corners[1]->q, &corners[2]->q, &corners[3]->q };
+  TetrahedronRays tetrahedron;
+  if (!box.empty() && box.nearest <= rays.limit() && tetrahedron.set(q, extinction, Parallel))
+  {
+    this->emitColored<Parallel>(tile, rays, tetrahedron, box, q, color);
+  }
+}
+
+template <bool Parallel, class Tile>
+void TetrahedronScan::emitColored(Tile& tile, const TileRays& rays,
   const TetrahedronRays& tetrahedron, const PixelBox& box, const Vector3* const (&q)[4],
   const RGB* const (&color)[4]) const
 {
@@ -204,6 +218,10 @@ void TetrahedronScan::emitColored(DeepTile& tile, const TileRays& rays,
   }
 }
 
+template void TetrahedronScan::emitInOrder<false>(OrderedTile&, const TileRays&,
+  const RayCorner* const (&)[4], const float (&)[4], const RGB* const (&)[4]) const;
+template void TetrahedronScan::emitInOrder<true>(OrderedTile&, const TileRays&,
+  const RayCorner* const (&)[4], const float (&)[4], const RGB* const (&)[4]) const;
 template void TetrahedronScan::emit<false>(DeepTile&, const TileRays&, std::uint32_t,
   const RayCorner* const (&)[4], const float (&)[4], const RGB* const (&)[4]) const;
 template void TetrahedronScan::emit<true>(DeepTile&, const TileRays&, std::uint32_t,

@@ -13,6 +13,7 @@
 #define TetrahedronScan_h
 
 #include "DeepTile.h"
+#include "OrderedTile.h"
 #include "Segment.h"
 #include "TetrahedronRays.h"
 #include "TetrahedronSum.h"
@@ -145,13 +146,18 @@ public:
     const RayCorner* const (&corners)[4], const float (&extinction)[4],
     const RGB* const (&color)[4]) const;
 
+  /// The same with colours, none of them null, behind what was added to the tile before.
+  template <bool Parallel>
+  void emitInOrder(OrderedTile& tile, const TileRays& rays, const RayCorner* const (&corners)[4],
+    const float (&extinction)[4], const RGB* const (&color)[4]) const;
+
 private:
   template <bool Parallel>
   void emitPieces(DeepTile& tile, const TileRays& rays, std::uint32_t source,
     const TetrahedronRays& tetrahedron, const PixelBox& box) const;
   static ImageBounds boundsAtEye(const RayCorner* const* corners, std::size_t n);
-  template <bool Parallel>
-  void emitColored(DeepTile& tile, const TileRays& rays, const TetrahedronRays& tetrahedron,
+  template <bool Parallel, class Tile>
+  void emitColored(Tile& tile, const TileRays& rays, const TetrahedronRays& tetrahedron,
     const PixelBox& box, const Vector3* const (&q)[4], const RGB* const (&color)[4]) const;
 
   RaySpace Space;

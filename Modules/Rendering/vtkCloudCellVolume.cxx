@@ -4,6 +4,7 @@
 #include "Camera.h"
 #include "CellColumns.h"
 #include "CloudArrays.h"
+#include "ColumnOrder.h"
 #include "Optics.h"
 #include "ScreenBins.h"
 #include "StructuredColumns.h"
@@ -86,7 +87,10 @@ struct vtkCloudCellVolume::Internals
   nephoscope::CellColumns Columns;
   std::vector<std::uint32_t> Drawn; ///< the columns with cells to draw
   ScreenBins Bins;
+  ColumnOrder Order; ///< of the cells, if they are to have one
+  bool ToldOfCycles = false;
   vtkMTimeType Read = 0;
+  vtkMTimeType OrderRead = 0;
   vtkIdType DrawnCells = 0;
 };
 
@@ -95,6 +99,8 @@ vtkCloudCellVolume::vtkCloudCellVolume()
 {
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, nephoscope::arrays::CloudFraction);
+  this->SetInputArrayToProcess(
+    1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, nephoscope::arrays::SourceColor);
 }
 
 vtkCloudCellVolume::~vtkCloudCellVolume() = default;
@@ -205,6 +211,68 @@ bool vtkCloudCellVolume::ReadGrid()
     return false;
   }
   fillColumns(this->Data->Columns, grid, extent, extinction);
+  return this->ReadColors(grid);
+}
+
+/// The colours of the points, if they have any, times that of the body; what is negative or not a number is black.
+bool vtkCloudCellVolume::ReadColors(vtkDataSet* grid)
+{
+  nephoscope::CellColumns& columns = this->Data->Columns;
+  columns.color.clear();
+  vtkDataArray* const array = this->GetInputArrayToProcess(1, grid);
+  if (!array)
+  {
+    return true;
+  }
+  if (array->GetNumberOfTuples() != grid->GetNumberOfPoints() ||
+    array->GetNumberOfComponents() != 3)
+  {
+    vtkErrorMacro("The array " << nephoscope::arrays::SourceColor << " has "
+                               << array->GetNumberOfTuples() << " tuples of "
+                               << array->GetNumberOfComponents() << " for "
+                               << grid->GetNumberOfPoints()
+                               << " points; give red, green and blue for each point.");
+    return false;
+  }
+  columns.color.resize(columns.points.size());
+  const vtkIdType lines = static_cast<vtkIdType>(columns.nx) * columns.ny;
+  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+  {
+    nephoscope::RGB& color = columns.color[p % lines * columns.nz + p / lines];
+    for (int c = 0; c < 3; ++c)
+    {
+      const double value = this->Color[c] * array->GetComponent(p, c);
+      color[c] = value > 0 && std::isfinite(value) ? static_cast<float>(value) : 0;
+    }
+  }
+  return true;
+}
+
+bool vtkCloudCellVolume::PutInOrder(const nephoscope::Camera& camera)
+{
+  Internals& data = *this->Data;
+  const auto by =
+    this->Order == Visibility ? ColumnOrder::By::Visibility : ColumnOrder::By::Centroid;
+  if (data.OrderRead < data.Read)
+  {
+    data.Order.Read(data.Columns, data.Drawn);
+    data.ToldOfCycles = false;
+    data.OrderRead = data.Read;
+  }
+  if (!data.Order.Build(by, data.Bins, camera))
+  {
+    vtkErrorMacro("There are more than 4,294,967,295 tetrahedra in view, too many for the order "
+      << this->GetOrderAsString() << "; call SetOrderToPixelDepth.");
+    return false;
+  }
+  if (data.Order.GetNumberOfCycles() > 0 && !data.ToldOfCycles)
+  {
+    vtkWarningMacro("No order of the cells is right: "
+      << data.Order.GetNumberOfCycles() << " cycles of " << data.Order.GetNumberOfCellsInCycles()
+      << " tetrahedra, each before the next. Within each they are drawn by their centroids, each "
+         "once; call SetOrderToPixelDepth for the exact picture.");
+    data.ToldOfCycles = true;
+  }
   return true;
 }
 
@@ -250,17 +318,26 @@ bool vtkCloudCellVolume::Prepare(const nephoscope::Camera& camera)
     data.DrawnCells +=
       data.Bins.GetBox(thing).empty() ? 0 : data.Columns.numberOfDrawnCells(data.Drawn[thing]);
   }
-  return true;
+  return this->Order == PixelDepth || this->PutInOrder(camera);
 }
 
 void vtkCloudCellVolume::Emit(const nephoscope::Camera& camera, nephoscope::DeepTile& tile) const
 {
   const Internals& data = *this->Data;
+  const nephoscope::RGB color = { static_cast<float>(this->Color[0]),
+    static_cast<float>(this->Color[1]), static_cast<float>(this->Color[2]) };
+  if (this->Order != PixelDepth)
+  {
+    data.Order.Emit(data.Bins, camera, color, tile);
+    return;
+  }
   const nephoscope::RaySpace space(camera);
   const nephoscope::TileRays rays(space, tile);
-  const std::uint32_t source = tile.addSource({ static_cast<float>(this->Color[0]),
-    static_cast<float>(this->Color[1]), static_cast<float>(this->Color[2]) });
-  tile.startSum(source);
+  const std::uint32_t source = tile.addSource(color);
+  if (data.Columns.color.empty())
+  {
+    tile.startSum(source);
+  }
   nephoscope::ColumnRays column(data.Columns, space, camera.width(), camera.height());
   data.Bins.ForEach(tile.extent(), rays.limit(),
     [&data, &tile, &rays, source, &column](std::uint32_t thing)
@@ -273,6 +350,18 @@ void vtkCloudCellVolume::Emit(const nephoscope::Camera& camera, nephoscope::Deep
 vtkIdType vtkCloudCellVolume::GetNumberOfDrawnCells() const
 {
   return this->Data->DrawnCells;
+}
+
+vtkIdType vtkCloudCellVolume::GetNumberOfCycles() const
+{
+  return this->Order == Visibility ? static_cast<vtkIdType>(this->Data->Order.GetNumberOfCycles())
+                                   : 0;
+}
+
+const char* vtkCloudCellVolume::GetOrderAsString() const
+{
+  constexpr const char* Names[] = { "PixelDepth", "Visibility", "Centroid" };
+  return Names[this->Order];
 }
 
 void vtkCloudCellVolume::PrintSelf(ostream& os, vtkIndent indent)
@@ -288,4 +377,5 @@ void vtkCloudCellVolume::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IceRadius: " << this->IceRadius << " m\n";
   os << indent << "Color: " << this->Color[0] << ' ' << this->Color[1] << ' ' << this->Color[2]
      << '\n';
+  os << indent << "Order: " << this->GetOrderAsString() << '\n';
 }

@@ -69,6 +69,17 @@ class Render(ProgramTest):
             contents.add(path.read_bytes())
         self.assertEqual(len(contents), 1)
 
+    def test_orders_of_cells_of_one_colour_are_one_picture(self):
+        contents = []
+        for order in ("pixelDepth", "visibility", "centroid"):
+            scene = self.folder / (order + ".yaml")
+            scene.write_text("data: { file: %s }\nbodies: [{ type: volume, order: %s }]\n" % (SAMPLE, order))
+            done, path = self.render(order + ".png", scene, *SMALL)
+            self.assert_done(done)
+            contents.append(b"".join(pixels(path)[2]))
+        for other in contents[1:]:
+            self.assertLessEqual(max(abs(a - b) for a, b in zip(contents[0], other)), 1)
+
     def test_openexr_is_linear_and_unexposed(self):
         done, dark = self.render("a.exr", "--data", SAMPLE, "--style", "surface", *SMALL)
         self.assert_done(done)

@@ -115,6 +115,7 @@ struct VolumeBody
   double liquidRadius = 10;
   double iceRadius = 30;
   Triple color{ 1, 1, 1 };
+  std::string order = "pixelDepth";
 };
 
 /// The planet's surface.

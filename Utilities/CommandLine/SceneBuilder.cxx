@@ -100,6 +100,9 @@ public:
     volume->SetLiquidRadius(body.liquidRadius * 1e-6);
     volume->SetIceRadius(body.iceRadius * 1e-6);
     volume->SetColor(body.color.data());
+    volume->SetOrder(body.order == "visibility" ? vtkCloudCellVolume::Visibility
+        : body.order == "centroid"              ? vtkCloudCellVolume::Centroid
+                                                : vtkCloudCellVolume::PixelDepth);
     this->Built.scape->AddBody(volume);
     if (condensate && !body.scale)
     {

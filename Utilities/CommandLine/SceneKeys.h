@@ -179,6 +179,11 @@ void visitKeys(VolumeBody& body, Visitor&& visit)
   visit(Key{ "color", "linear RGB", "radiance of cloud that nothing shines through", "[1, 1, 1]", 0,
           1e6 },
     body.color);
+  visit(
+    Key{ "order", "",
+      "cells sorted in each pixel, which is exact, all at once by what hides what, or by centroids",
+      "pixelDepth", {}, {}, { "pixelDepth", "visibility", "centroid" } },
+    body.order);
 }
 
 template <class Visitor>

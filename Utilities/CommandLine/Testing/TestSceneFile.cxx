@@ -42,6 +42,7 @@ bodies:
   - { type: texture, value: 0.3, wavelength: 900, smoothing: 2 }
   - type: volume
     quantity: condensate
+    order: visibility
 media:
   - { type: uniform, extinction: 0.001 }
 )";
@@ -69,6 +70,8 @@ TEST(SceneFile, FillsEveryPart)
   EXPECT_EQ(std::get<TextureBody>(scene.bodies[1]).value, 0.3);
   EXPECT_EQ(std::get<TextureBody>(scene.bodies[1]).wavelength, 900);
   EXPECT_EQ(std::get<VolumeBody>(scene.bodies[2]).quantity, "condensate");
+  EXPECT_EQ(std::get<VolumeBody>(scene.bodies[2]).order, "visibility");
+  EXPECT_EQ(VolumeBody().order, "pixelDepth");
   ASSERT_EQ(scene.media.size(), 1u);
   EXPECT_EQ(std::get<UniformMedium>(scene.media[0]).extinction, 0.001);
 }
