@@ -21,6 +21,7 @@ struct GridPoint
 {
   Vector3 at;
   double density;
+  double color[3];
 };
 using Tetrahedron = std::array<GridPoint, 4>;
 using Hexahedron = std::array<GridPoint, 8>; // corners by bit pattern
@@ -31,6 +32,7 @@ void forEachCell(vtkStructuredGrid* grid, F&& f)
   int n[3];
   grid->GetDimensions(n);
   vtkDataArray* const density = grid->GetPointData()->GetArray(arrays::CloudFraction);
+  vtkDataArray* const color = grid->GetPointData()->GetArray(arrays::SourceColor);
   for (int k = 0; k + 1 < n[2]; ++k)
   {
     for (int j = 0; j + 1 < n[1]; ++j)
@@ -44,8 +46,15 @@ void forEachCell(vtkStructuredGrid* grid, F&& f)
             i + (v & 1) + static_cast<vtkIdType>(n[0]) * (j + (v >> 1 & 1) + n[1] * (k + (v >> 2)));
           grid->GetPoint(p, cell[v].at.v);
           cell[v].density = density->GetComponent(p, 0);
+          for (int c = 0; c < 3; ++c)
+          {
+            cell[v].color[c] = color ? color->GetComponent(p, c) : 1;
+          }
         }
-        f(cell, splitParity(i, j, k));
+        if (grid->IsCellVisible(i + (n[0] - 1) * (j + (n[1] - 1) * static_cast<vtkIdType>(k))))
+        {
+          f(cell, splitParity(i, j, k));
+        }
       }
     }
   }
@@ -88,45 +97,65 @@ Triple<Real> outer(const Triple<Real>& a, const Triple<Real>& b)
   return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
 }
 
+/// Part of a ray in one tetrahedron, and the barycentric coordinates along the ray.
+template <class Real>
+struct RayPart
+{
+  Real from = 0;
+  Real to = 1e30F;
+  Real at0[4];
+  Real rate[4];
+
+  /// The part is empty where the ray misses. Nothing is guarded unless `guarded`.
+  RayPart(const Tetrahedron& t, const Ray& ray, bool guarded)
+  {
+    const Triple<Real> origin = triple<Real>(ray.origin);
+    const Triple<Real> direction = triple<Real>(ray.direction);
+    for (int n = 0; n < 4; ++n)
+    {
+      const Triple<Real> a = triple<Real>(t[(n + 1) % 4].at);
+      const Triple<Real> normal =
+        outer(minus(triple<Real>(t[(n + 2) % 4].at), a), minus(triple<Real>(t[(n + 3) % 4].at), a));
+      const Real height = inner(normal, minus(triple<Real>(t[n].at), a));
+      this->at0[n] = inner(normal, minus(origin, a)) / height;
+      this->rate[n] = inner(normal, direction) / height;
+      if ((guarded && height == 0) || (this->rate[n] == 0 && this->at0[n] < 0))
+      {
+        this->to = -1;
+      }
+      else if (this->rate[n] > 0)
+      {
+        this->from = std::max(this->from, -this->at0[n] / this->rate[n]);
+      }
+      else if (this->rate[n] < 0)
+      {
+        this->to = std::min(this->to, -this->at0[n] / this->rate[n]);
+      }
+    }
+  }
+
+  /// What is linear in the tetrahedron, given at its corners, at a distance.
+  template <class ValueOf>
+  Real value(const Tetrahedron& t, Real distance, const ValueOf& valueOf) const
+  {
+    Real sum = 0;
+    for (int n = 0; n < 4; ++n)
+    {
+      sum += static_cast<Real>(valueOf(t[n])) * (this->at0[n] + this->rate[n] * distance);
+    }
+    return sum;
+  }
+};
+
 /// Optical depth of a ray in one tetrahedron. Nothing is guarded unless `guarded`.
 template <class Real>
 Real depthInTetrahedron(const Tetrahedron& t, const Ray& ray, bool guarded)
 {
-  const Triple<Real> origin = triple<Real>(ray.origin);
-  const Triple<Real> direction = triple<Real>(ray.direction);
-  Real from = 0;
-  Real to = 1e30F;
-  Real density = 0;
-  Real slope = 0;
-  for (int n = 0; n < 4; ++n)
-  {
-    const Triple<Real> a = triple<Real>(t[(n + 1) % 4].at);
-    const Triple<Real> normal =
-      outer(minus(triple<Real>(t[(n + 2) % 4].at), a), minus(triple<Real>(t[(n + 3) % 4].at), a));
-    const Real height = inner(normal, minus(triple<Real>(t[n].at), a));
-    if (guarded && height == 0)
-    {
-      return 0;
-    }
-    const Real at0 = inner(normal, minus(origin, a)) / height;
-    const Real rate = inner(normal, direction) / height;
-    density += static_cast<Real>(t[n].density) * at0;
-    slope += static_cast<Real>(t[n].density) * rate;
-    if (rate > 0)
-    {
-      from = std::max(from, -at0 / rate);
-    }
-    else if (rate < 0)
-    {
-      to = std::min(to, -at0 / rate);
-    }
-    else if (at0 < 0)
-    {
-      return 0;
-    }
-  }
+  const RayPart<Real> part(t, ray, guarded);
   // Written so that what is not a number is not hidden.
-  return to <= from ? 0 : (to - from) * (density + slope * (from + to) / 2);
+  return part.to <= part.from ? 0
+                              : (part.to - part.from) *
+      part.value(t, (part.from + part.to) / 2, [](const GridPoint& p) { return p.density; });
 }
 
 /// Mean density times the part of a ray on the inner side of six planes, each through three corners of a face.
@@ -194,6 +223,65 @@ double naiveOpticalDepth(vtkStructuredGrid* grid, const Camera& camera, int x, i
       }
     });
   return sum;
+}
+
+ExactLight exactLight(vtkStructuredGrid* grid, const Camera& camera, int x, int y, double shift)
+{
+  struct Met
+  {
+    RayPart<long double> part;
+    Tetrahedron tetrahedron;
+    int cell;
+  };
+  const Ray ray = camera.ray(x + 0.5 + shift, y + 0.5 + 0.7 * shift);
+  std::vector<Met> met;
+  int cells = 0;
+  forEachCell(grid,
+    [&](const Hexahedron& cell, int parity)
+    {
+      for (const TetrahedronVertices& v : TetrahedralSplit[parity])
+      {
+        const Tetrahedron t = { cell[v[0]], cell[v[1]], cell[v[2]], cell[v[3]] };
+        const RayPart<long double> part(t, ray, true);
+        if (part.to > part.from)
+        {
+          met.push_back({ part, t, cells });
+        }
+      }
+      ++cells;
+    });
+  std::sort(
+    met.begin(), met.end(), [](const Met& a, const Met& b) { return a.part.from < b.part.from; });
+  ExactLight light;
+  std::vector<int> left;
+  long double through = 1;
+  for (std::size_t m = 0; m < met.size(); ++m)
+  {
+    const Met& here = met[m];
+    if (m > 0 && met[m - 1].cell != here.cell)
+    {
+      left.push_back(met[m - 1].cell);
+    }
+    light.comesBack =
+      light.comesBack || std::find(left.begin(), left.end(), here.cell) != left.end();
+    // The midpoint rule, exact for the transmittance; its error falls with the square of the steps.
+    constexpr int Steps = 2000;
+    const long double step = (here.part.to - here.part.from) / Steps;
+    for (int n = 0; n < Steps; ++n)
+    {
+      const long double at = here.part.from + (n + 0.5L) * step;
+      const long double next = through *
+        std::exp(-step *
+          here.part.value(here.tetrahedron, at, [](const GridPoint& p) { return p.density; }));
+      for (int c = 0; c < 3; ++c)
+      {
+        light.radiance[c] += static_cast<double>((through - next) *
+          here.part.value(here.tetrahedron, at, [c](const GridPoint& p) { return p.color[c]; }));
+      }
+      through = next;
+    }
+  }
+  return light;
 }
 
 double exactOpticalDepth(vtkStructuredGrid* grid, const Camera& camera, int x, int y, double shift)

@@ -34,6 +34,17 @@ double naiveOpticalDepth(vtkStructuredGrid* grid, const Camera& camera, int x, i
  * in no common face; 1e-9 changes no optical depth by more.
  */
 double exactOpticalDepth(vtkStructuredGrid* grid, const Camera& camera, int x, int y, double shift);
+
+/// What a ray sees of a grid with SourceColor.
+struct ExactLight
+{
+  double radiance[3] = { 0, 0, 0 };
+  bool comesBack = false; ///< whether it enters a hexahedral cell that it has left
+};
+
+/// The same ray's light, its tetrahedra in the order in which it enters them, in 2000 steps each: within 1e-6 where no step's
+/// optical depth is over 1e-3.
+ExactLight exactLight(vtkStructuredGrid* grid, const Camera& camera, int x, int y, double shift);
 }
 }
 #endif
