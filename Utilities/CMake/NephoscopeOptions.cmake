@@ -9,6 +9,21 @@ option(Nephoscope_WARNINGS_AS_ERRORS "Compile with -Werror" OFF)
 set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Python whose vtkmodules is VTK's own")
 set(Nephoscope_SANITIZE "" CACHE STRING "Sanitizers for the whole build, e.g. address,undefined")
 
+# Ceres, for Modules/Fits alone; without it the rest is built and reads the calibrations that there are. Found by its files, as
+# CeresConfig.cmake brings TBB targets that clash with VTK's.
+option(Nephoscope_FITS "Build the fits if Ceres is there" ON)
+find_path(Nephoscope_CERES_INCLUDE ceres/ceres.h)
+find_library(Nephoscope_CERES_LIBRARY ceres)
+find_library(Nephoscope_GLOG_LIBRARY glog)
+find_path(Nephoscope_EIGEN_INCLUDE Eigen/Dense PATH_SUFFIXES eigen3)
+mark_as_advanced(Nephoscope_CERES_INCLUDE Nephoscope_CERES_LIBRARY Nephoscope_GLOG_LIBRARY Nephoscope_EIGEN_INCLUDE)
+set(Nephoscope_REJECTED_MODULES "")
+if (NOT (Nephoscope_FITS AND Nephoscope_CERES_INCLUDE AND Nephoscope_CERES_LIBRARY AND Nephoscope_GLOG_LIBRARY AND
+    Nephoscope_EIGEN_INCLUDE))
+  message(STATUS "Without fits: Ceres is not wanted or not found (Debian: libceres-dev)")
+  list(APPEND Nephoscope_REJECTED_MODULES Nephoscope::CloudFits)
+endif ()
+
 if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif ()

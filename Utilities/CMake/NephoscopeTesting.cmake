@@ -1,4 +1,4 @@
-# Tests beside what they test, labelled by layer: kernels, io, filters, rendering, program, integration, python,
+# Tests beside what they test, labelled by layer: kernels, fits, io, filters, rendering, program, integration, python,
 # examples, install, house.
 find_package(GTest REQUIRED)
 include(GoogleTest)

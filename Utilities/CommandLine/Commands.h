@@ -21,6 +21,7 @@ void addConvert(CLI::App& app);
 void addRender(CLI::App& app);
 void addAnimate(CLI::App& app);
 void addChart(CLI::App& app);
+void addFit(CLI::App& app);
 
 /// Accepts numbers of a range, ends included; CLI::Range lets NaN pass.
 CLI::Validator numberFrom(double least, double most);

@@ -82,6 +82,7 @@ int program(int argc, char** argv)
   addRender(app);
   addAnimate(app);
   addChart(app);
+  addFit(app);
   const int code = run(app, argc, argv);
   std::cout.flush();
   if (!std::cout)
