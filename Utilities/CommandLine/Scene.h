@@ -146,7 +146,18 @@ struct TerrainBody
   int seed = 1;
 };
 
-using Body = std::variant<SurfaceBody, TextureBody, VolumeBody, GlobeBody, PlaneBody, TerrainBody>;
+/// A sea with waves.
+struct WaterBody
+{
+  double level = 0;      ///< m
+  double wind = 5;       ///< m/s
+  double direction = 70; ///< degrees, where the wind blows to
+  double wavelength = 40;
+  Triple color{ 0.008, 0.03, 0.04 };
+};
+
+using Body =
+  std::variant<SurfaceBody, TextureBody, VolumeBody, GlobeBody, PlaneBody, TerrainBody, WaterBody>;
 
 /// Haze of one density everywhere.
 struct UniformMedium

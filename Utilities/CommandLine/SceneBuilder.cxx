@@ -21,7 +21,9 @@
 #include <vtkCloudTerrain.h>
 #include <vtkCloudTerrainSource.h>
 #include <vtkCloudUniformMedium.h>
+#include <vtkCloudWater.h>
 #include <vtkCloudscape.h>
+#include <vtkMath.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkStructuredGrid.h>
@@ -145,6 +147,24 @@ public:
     terrain->SetInputConnection(hills->GetOutputPort());
     this->light(terrain);
     this->Built.scape->AddBody(terrain);
+    this->Hills = hills;
+    this->Shaded.emplace_back(terrain, 1);
+  }
+
+  void operator()(const WaterBody& body)
+  {
+    const vtkNew<vtkCloudWater> water;
+    const double direction = body.direction * vtkMath::Pi() / 180;
+    water->SetLevel(body.level);
+    water->SetWindSpeed(body.wind);
+    water->SetWind(std::sin(direction), std::cos(direction), 0);
+    water->SetWavelength(body.wavelength);
+    water->SetWaterColor(body.color.data());
+    water->SetBackdrop(this->Built.scape->GetBackdrop());
+    this->light(water);
+    this->Built.scape->AddBody(water);
+    this->Waters.emplace_back(water);
+    this->Shaded.emplace_back(water, 0);
   }
 
   void operator()(const UniformMedium& medium)
@@ -170,10 +190,12 @@ public:
                                              : vtkCloudHaze::Moments);
     haze->SetStep(medium.step);
     this->Built.scape->AddBody(haze);
+    this->Shaded.emplace_back(haze, 0);
   }
 
   BuiltScene finish()
   {
+    this->joinLandscape();
     this->Built.filterSeconds = this->Clock.lap();
     return this->Built;
   }
@@ -183,6 +205,7 @@ private:
   vtkCloudSurface* addSurface(const SurfaceBody& body, bool keepCoordinates);
   void addGround(vtkCloudGround* ground, const Ground& look);
   void addHaze(double extinction, const Triple& color);
+  void joinLandscape();
   void light(vtkCloudLitBody* body);
   void requireGeometry(bool fits, const std::string& ground, const std::string& other) const;
 
@@ -193,7 +216,30 @@ private:
   const Extent& Lie;
   Vector3 TowardSun{ 0, 0, 1 };
   BuiltScene Built;
+  vtkSmartPointer<vtkAlgorithm> Hills;
+  vtkSmartPointer<vtkAlgorithm> Shadow; // of the clouds
+  std::vector<vtkSmartPointer<vtkCloudWater>> Waters;
+  std::vector<std::pair<vtkSmartPointer<vtkCloudBody>, int>> Shaded; // and the port for the shadow
 };
+
+/// Bodies may stand in any order in a scene: what sees others is told of them at the end.
+void Builder::joinLandscape()
+{
+  for (const auto& water : this->Waters)
+  {
+    if (this->Hills)
+    {
+      water->SetInputConnection(1, this->Hills->GetOutputPort());
+    }
+  }
+  for (const auto& [body, port] : this->Shaded)
+  {
+    if (this->Shadow)
+    {
+      body->SetInputConnection(port, this->Shadow->GetOutputPort());
+    }
+  }
+}
 
 void Builder::lay(bool addGround)
 {

@@ -230,6 +230,19 @@ void visitKeys(TerrainBody& body, Visitor&& visit)
 }
 
 template <class Visitor>
+void visitKeys(WaterBody& body, Visitor&& visit)
+{
+  visit(Key{ "level", "m", "of the water", "0", -1e5, 1e5 }, body.level);
+  visit(Key{ "wind", "m/s", "over the water; makes it rough", "5", 0, 30 }, body.wind);
+  visit(Key{ "direction", "degrees", "compass direction where the wind blows to", "70", -360, 360 },
+    body.direction);
+  visit(Key{ "wavelength", "m", "longest wave", "40", 0.1, 1000 }, body.wavelength);
+  visit(
+    Key{ "color", "linear RGB", "reflectance of the water's depth", "[0.008, 0.03, 0.04]", 0, 1 },
+    body.color);
+}
+
+template <class Visitor>
 void visitKeys(UniformMedium& medium, Visitor&& visit)
 {
   visit(Key{ "extinction", "1/km", "optical depth of a kilometre of the scene", "0", 0, 1e6 },
@@ -275,6 +288,7 @@ void visitTypes(Body*, Visitor&& visit)
   visit("plane", "flat ground or sea, opaque", PlaneBody());
   visit(
     "terrain", "made-up hills, opaque, in the shadow of the height-field clouds", TerrainBody());
+  visit("water", "sea with waves that mirror sky, sun, clouds and hills, opaque", WaterBody());
 }
 
 template <class Visitor>
