@@ -114,6 +114,7 @@ struct VolumeBody
   std::optional<double> scale;
   double liquidRadius = 10;
   double iceRadius = 30;
+  bool sunlit = true;
   Triple color{ 1, 1, 1 };
   std::string order = "pixelDepth";
 };

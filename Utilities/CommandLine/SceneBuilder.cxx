@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneBuilder.h"
 
+#include "Daylight.h"
 #include "Failure.h"
 #include "Messages.h"
 #include "ModelFile.h"
@@ -94,7 +95,7 @@ public:
   {
     const bool condensate = this->isCondensate(body);
     const vtkNew<vtkCloudCellVolume> volume;
-    volume->SetInputData(this->Grid);
+    volume->SetInputData(body.sunlit && this->Lie.isGlobe() ? this->inSunlight() : this->Grid);
     volume->SetExtinctionRule(
       condensate ? vtkCloudCellVolume::Condensate : vtkCloudCellVolume::CloudFraction);
     volume->SetFullCoverExtinction(body.extinction / 1000);
@@ -202,6 +203,7 @@ public:
 
 private:
   bool isCondensate(const VolumeBody& body) const;
+  vtkSmartPointer<vtkStructuredGrid> inSunlight();
   vtkCloudSurface* addSurface(const SurfaceBody& body, bool keepCoordinates);
   void addGround(vtkCloudGround* ground, const Ground& look);
   void addHaze(double extinction, const Triple& color);
@@ -278,6 +280,20 @@ bool Builder::isCondensate(const VolumeBody& body) const
     return true;
   }
   return body.quantity == "condensate";
+}
+
+/// The grid with the light that cloud surfaces have.
+vtkSmartPointer<vtkStructuredGrid> Builder::inSunlight()
+{
+  const vtkNew<vtkCloudSurface> look;
+  this->light(look);
+  SurfaceShade shade;
+  shade.towardSun = this->TowardSun;
+  look->GetSunColor(shade.sun.v);
+  look->GetSkyColor(shade.sky.v);
+  shade.ambient = look->GetAmbient();
+  shade.wrap = look->GetWrap();
+  return inDaylight(this->Grid, shade);
 }
 
 vtkCloudSurface* Builder::addSurface(const SurfaceBody& body, bool keepCoordinates)

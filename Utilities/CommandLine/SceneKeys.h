@@ -176,6 +176,11 @@ void visitKeys(VolumeBody& body, Visitor&& visit)
     Key{ "liquidRadius", "um", "effective radius of droplets", "10", 0.1, 1e4 }, body.liquidRadius);
   visit(
     Key{ "iceRadius", "um", "effective radius of ice crystals", "30", 0.1, 1e4 }, body.iceRadius);
+  visit(
+    Key{ "sunlit", "",
+      "on a globe: bright by day and dim by night; false: aglow alike everywhere, as in Max 1994",
+      "true" },
+    body.sunlit);
   visit(Key{ "color", "linear RGB", "radiance of cloud that nothing shines through", "[1, 1, 1]", 0,
           1e6 },
     body.color);
