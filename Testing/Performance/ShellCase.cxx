@@ -173,6 +173,22 @@ vtkSmartPointer<vtkStructuredGrid> structuredGrid(const Situation& situation)
   return grid;
 }
 
+vtkSmartPointer<vtkStructuredGrid> paintedGrid(const Situation& situation)
+{
+  auto grid = structuredGrid(situation);
+  vtkNew<vtkFloatArray> source;
+  source->SetName(arrays::SourceColor);
+  source->SetNumberOfComponents(3);
+  source->SetNumberOfTuples(grid->GetNumberOfPoints());
+  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+  {
+    const double grey = sourceOf(grid->GetPointData()->GetScalars()->GetComponent(p, 0));
+    source->SetTuple3(p, grey, grey, grey);
+  }
+  grid->GetPointData()->AddArray(source);
+  return grid;
+}
+
 vtkSmartPointer<vtkUnstructuredGrid> tetrahedra(const Situation& situation)
 {
   const vtkIdType nx = situation.points[0];

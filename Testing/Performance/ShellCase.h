@@ -13,7 +13,8 @@
  * smooth, exactly zero where it is clear, 28 % of the points above 15 %.
  *
  * For volumes, extinction is Extinction times cloud fraction per unit length and the source radiance is 1: a ray's light is
- * then 1 - T, T its transmittance.
+ * then 1 - T, T its transmittance, in whatever order cells are drawn. For orders it is sourceOf(cloud fraction), linear in
+ * each tetrahedron too, and a ray's light depends on the order.
  */
 #ifndef ShellCase_h
 #define ShellCase_h
@@ -47,6 +48,11 @@ struct Place
 };
 
 double cloudFraction(const Place& place);
+/// The source radiance, grey, of cloud whose order is to be seen: dark where it is dense.
+inline double sourceOf(double fraction)
+{
+  return 1 - fraction;
+}
 Vector3 position(const Place& place);
 Place place(const Vector3& position); ///< the inverse; eta < 0 or > 1 outside the shell
 
@@ -55,6 +61,8 @@ Place placeOnGrid(const Situation& situation, double i, double j, double k);
 
 /// The grid with its cloud fraction, float.
 vtkSmartPointer<vtkStructuredGrid> structuredGrid(const Situation& situation);
+/// The same with SourceColor, sourceOf the cloud fraction at each point.
+vtkSmartPointer<vtkStructuredGrid> paintedGrid(const Situation& situation);
 /// Each cell as five tetrahedra, alternating so that neighbours agree; the same points and values.
 vtkSmartPointer<vtkUnstructuredGrid> tetrahedra(const Situation& situation);
 /// The values on an image of spacing 1: (i, j, k) are the coordinates.

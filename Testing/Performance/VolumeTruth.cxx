@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <stdexcept>
 
 namespace nephoscope
 {
@@ -82,6 +84,29 @@ Interval meet(const Ray& ray, const std::array<const Corner*, 4>& corners, const
   return part;
 }
 
+/// The light that leaves an interval's near end, of a source and an extinction linear in the cloud fraction c.
+double lightOf(const Interval& part)
+{
+  constexpr double At[5] = { 0.046910077030668, 0.230765344947158, 0.5, 0.769234655052842,
+    0.953089922969332 };
+  constexpr double Weight[5] = { 0.118463442528095, 0.239314335249683, 0.284444444444444,
+    0.239314335249683, 0.118463442528095 };
+  const double length = shell::Extinction * (part.to - part.from);
+  const double rise = part.toValue - part.fromValue;
+  double light = 0;
+  for (const double start : { 0.0, 0.5 })
+  {
+    for (int n = 0; n < 5; ++n)
+    {
+      const double x = start + 0.5 * At[n];
+      const double c = part.fromValue + rise * x;
+      const double depth = length * x * (part.fromValue + c) / 2;
+      light += 0.5 * Weight[n] * length * c * shell::sourceOf(c) * std::exp(-depth);
+    }
+  }
+  return light;
+}
+
 /// Every stride-th pixel, from the middle of the first stride; each with its ray's intervals.
 class PixelLattice
 {
@@ -127,7 +152,7 @@ public:
     }
   }
 
-  std::vector<TruePixel> transmittances()
+  std::vector<TruePixel> pixels()
   {
     std::vector<TruePixel> result;
     for (std::size_t n = 0; n < this->Intervals.size(); ++n)
@@ -136,13 +161,15 @@ public:
       std::sort(parts.begin(), parts.end(),
         [](const Interval& a, const Interval& b) { return a.from < b.from; });
       double depth = 0;
+      double light = 0;
       for (const Interval& part : parts)
       {
+        light += std::exp(-depth) * lightOf(part);
         depth += shell::Extinction * (part.to - part.from) * (part.fromValue + part.toValue) / 2;
       }
       const auto columns = static_cast<std::size_t>(this->Count[0]);
       result.push_back({ this->pixel(static_cast<int>(n % columns)),
-        this->pixel(static_cast<int>(n / columns)), std::exp(-depth) });
+        this->pixel(static_cast<int>(n / columns)), std::exp(-depth), light });
     }
     return result;
   }
@@ -204,30 +231,43 @@ std::vector<TruePixel> volumeTruth(const Situation& situation, int stride)
       }
     }
   }
-  return lattice.transmittances();
+  return lattice.pixels();
 }
 
-Figures volumeFigures(
-  const Situation& situation, const std::function<double(int x, int y)>& transmittanceAt)
+Figures volumeFigures(const Situation& situation, double TruePixel::*quantity,
+  const std::function<double(int x, int y)>& drawnAt)
 {
   const int stride =
     std::max(1, static_cast<int>(std::sqrt(situation.pixels[0] * (situation.pixels[1] / 12288.0))));
+  const double clear = quantity == &TruePixel::transmittance ? 1 : 0;
   double sum = 0;
   double largest = 0;
   double compared = 0;
+  double drawnEffect = 0;
+  double trueEffect = 0;
   for (const TruePixel& truth : volumeTruth(situation, stride))
   {
-    const double drawn = transmittanceAt(truth.x, truth.y);
-    if (truth.transmittance < 1 || drawn < 1)
+    const double drawn = drawnAt(truth.x, truth.y);
+    if (truth.transmittance < 1 || drawn != clear)
     {
-      const double error = std::abs(drawn - truth.transmittance);
+      const double error = std::abs(drawn - truth.*quantity);
       sum += error * error;
       largest = std::max(largest, error);
+      drawnEffect += std::abs(drawn - clear);
+      trueEffect += std::abs(truth.*quantity - clear);
       ++compared;
     }
   }
+  const double shown = trueEffect > 0 ? drawnEffect / trueEffect : 1;
+  if (!(shown > 0.5 && shown < 2))
+  {
+    char words[80];
+    std::snprintf(
+      words, sizeof words, "its picture shows %.2g times the cloud that there is", shown);
+    throw std::runtime_error(words);
+  }
   return { { "error", compared > 0 ? std::sqrt(sum / compared) : 0 }, { "largestError", largest },
-    { "pixelsCompared", compared } };
+    { "pixelsCompared", compared }, { "shown", shown } };
 }
 }
 }

