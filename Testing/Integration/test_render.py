@@ -69,16 +69,24 @@ class Render(ProgramTest):
             contents.add(path.read_bytes())
         self.assertEqual(len(contents), 1)
 
-    def test_orders_of_cells_of_one_colour_are_one_picture(self):
-        contents = []
-        for order in ("pixelDepth", "visibility", "centroid"):
-            scene = self.folder / (order + ".yaml")
-            scene.write_text("data: { file: %s }\nbodies: [{ type: volume, order: %s }]\n" % (SAMPLE, order))
-            done, path = self.render(order + ".png", scene, *SMALL)
-            self.assert_done(done)
-            contents.append(b"".join(pixels(path)[2]))
-        for other in contents[1:]:
-            self.assertLessEqual(max(abs(a - b) for a, b in zip(contents[0], other)), 1)
+    def pixels_in_order(self, order, sunlit):
+        scene = self.folder / "order.yaml"
+        scene.write_text("data: { file: %s }\nbodies: [{ type: volume, order: %s, sunlit: %s }]\n" %
+                         (SAMPLE, order, sunlit))
+        done, path = self.render("order.png", scene, *SMALL)
+        self.assert_done(done)
+        return b"".join(pixels(path)[2])
+
+    def test_orders_of_cells(self):
+        def largest(a, b):
+            return max(abs(x - y) for x, y in zip(a, b))
+
+        sunlit = self.pixels_in_order("pixelDepth", "true")
+        self.assertLessEqual(largest(sunlit, self.pixels_in_order("visibility", "true")), 1)
+        # Of one colour no order matters.
+        even = self.pixels_in_order("pixelDepth", "false")
+        self.assertLessEqual(largest(even, self.pixels_in_order("centroid", "false")), 1)
+        self.assertGreater(largest(sunlit, even), 10)
 
     def test_openexr_is_linear_and_unexposed(self):
         done, dark = self.render("a.exr", "--data", SAMPLE, "--style", "surface", *SMALL)
