@@ -13,6 +13,7 @@ CPP = {".h", ".hxx", ".txx", ".cxx", ".cpp"}
 
 # Headers of other libraries, and the one module that may include them, in .cxx files only.
 PLACE = {
+    re.compile(r"boost/math/quadrature/"): "Kernels",  # the exact references
     re.compile(r"ceres/"): "Fits",
     re.compile(r"openvdb/"): "Sparse",
     re.compile(r"netcdf(_\w+)?\.h$"): "IO",
@@ -48,7 +49,8 @@ def breach_of_kernels(path, quote, header, owners):
     """Kernels and their tests see the standard library and each other; tests also GoogleTest."""
     in_test = "Testing" in path.parts
     name = header.split("/")[-1]
-    if owners.get(name) == "Kernels" or (in_test and header.startswith(("gtest/", "gmock/"))):
+    placed = any(pattern.match(header) and module == "Kernels" for pattern, module in PLACE.items())
+    if placed or owners.get(name) == "Kernels" or (in_test and header.startswith(("gtest/", "gmock/"))):
         return None
     standard = quote == "<" and "." not in header and "/" not in header
     if not standard:

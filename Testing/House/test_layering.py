@@ -8,7 +8,7 @@ from planted import found_in
 
 CLEAN = {
     "Modules/Kernels/Optics.h": "#include <cmath>\n",
-    "Modules/Kernels/Optics.cxx": '#include "Optics.h"\n',
+    "Modules/Kernels/Optics.cxx": '#include "Optics.h"\n#include <boost/math/quadrature/gauss_kronrod.hpp>\n',
     "Modules/Kernels/Testing/Cxx/TestOptics.cxx": "#include <fstream>\n#include <gtest/gtest.h>\n",
     "Modules/Kernels/vtk.module": "NAME\n  Nephoscope::CloudKernels\n",
     "Modules/IO/vtkCloudReader.h": '#include "vtkCloudIOModule.h"\nclass VTKCLOUDIO_EXPORT vtkCloudReader : public vtkAlgorithm\n{\n',
@@ -26,6 +26,9 @@ BREACHES = [
     ("Modules/Kernels/Bad.cxx", "#include <fstream>\n", "no files and no threads"),
     ("Modules/Kernels/Testing/Cxx/TestBad.cxx", "#include <vtkNew.h>\n", "not of the standard library"),
     ("Modules/Kernels/Bad.cxx", '#include "vtkCloudReader.h"\n', "not of the standard library"),
+    ("Modules/Kernels/Bad.h", "#include <boost/math/quadrature/gauss.hpp>\n", ".cxx files alone"),
+    ("Modules/Kernels/Bad.cxx", "#include <boost/thread.hpp>\n", "not of the standard library"),
+    ("Modules/IO/Bad.cxx", "#include <boost/math/quadrature/gauss.hpp>\n", "Modules/Kernels alone"),
     ("Modules/Kernels/bad.py", "import vtkmodules\n", "no Python"),
     ("Modules/Filters/Bad.cxx", '#include "vtkCloudReader.h"\n', "of IO, which Filters may not include"),
     ("Modules/Filters/Bad.cxx", "#include <vtkCloudIOModule.h>\n", "of IO, which Filters may not include"),
