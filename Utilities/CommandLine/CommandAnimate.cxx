@@ -90,6 +90,7 @@ private:
     const double moment =
       this->Options.frames > 1 ? static_cast<double>(frame) / (this->Options.frames - 1) : 0;
     const BuiltScene built = this->Moving->at(moment);
+    built.scape->ComputeDepthOff(); // a PNG has none
     this->Watch.watch(built.scape, this->label(frame));
     built.scape->Update();
     this->Watch.forget();

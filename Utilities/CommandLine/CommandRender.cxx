@@ -161,6 +161,7 @@ void runRender(const RenderOptions& options)
   }
   Progress progress;
   const BuiltScene built = buildScene(scene, !options.style.empty(), progress);
+  built.scape->SetComputeDepth(kind == "exr"); // a PNG has none
   progress.watch(built.scape, "draw");
   built.scape->Update();
   progress.forget();
