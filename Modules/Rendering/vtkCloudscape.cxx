@@ -124,13 +124,13 @@ private:
     const int n = this->Samples;
     local.Tile.reset({ n * pixels.x0, n * pixels.y0, n * pixels.width, n * pixels.height });
     local.Tile.setDepthWanted(this->Scape->GetComputeDepth());
-    for (const vtkCloudBody* body : this->Bodies)
+    for (std::size_t body = 0; body < this->Bodies.size(); ++body)
     {
-      if (body == this->Bodies.back())
+      if (body + 1 == this->Bodies.size())
       {
         local.Tile.setLast();
       }
-      body->Emit(this->Camera, local.Tile);
+      this->Bodies[body]->Emit(this->Camera, local.Tile);
     }
     this->Segments += static_cast<vtkIdType>(local.Tile.numberOfSegments());
     local.Tile.composite(local.Light);

@@ -387,6 +387,10 @@ TEST_F(CloudCellVolume, WithoutDepthOtherBodiesAreStillWhereTheyAre)
     sheet->Modified();
     this->CompareWithoutDepth();
   }
+  // Drawn twice, the first is not the last.
+  sheet->Opacity = 1;
+  this->Scape->AddBody(this->Volume);
+  this->CompareWithoutDepth();
 }
 
 TEST_F(CloudCellVolume, EmptyAndStrangeDensitiesAreLeftOutOrLimited)
