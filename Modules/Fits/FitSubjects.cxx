@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FitSubjects.h"
 
+#include "FitHeightField.h"
 #include "FitPhase.h"
+#include "FitSlab.h"
 #include "FitTransmittance.h"
 
 #include <algorithm>
@@ -44,6 +46,11 @@ const std::vector<FitSubject>& fitSubjects()
       "optical depths of the polynomials; default 0 to each of 1, 2, 3, 4", fitTransmittance },
     { "phase", "phase functions in closed form, to Mie's of water droplets",
       "effective radii in um, of 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50; default all", fitPhase },
+    { "slab", "effective density and albedo of single scattering, to reflectances of slabs",
+      "optical depths, of 0.5, 1, 2, 4, 8, 16, 32; default all", fitSlab },
+    { "heightfield",
+      "factors on the densities of height-field clouds whose exponentials are replaced",
+      "factors on Max's densities, of 0.25, 0.5, 1, 2, 4; default 1, and all", fitHeightField },
   };
   return subjects;
 }

@@ -14,7 +14,7 @@ class CommandLine(ProgramTest):
         self.assert_done(done)
         for word in ("info", "convert", "render", "animate", "Examples:", "Exit codes"):
             self.assertIn(word, done.stdout)
-        for command in ("info", "convert", "render", "animate"):
+        for command in ("info", "convert", "render", "animate", "fit"):
             self.assertIn("nephoscope " + command, run(command, "--help").stdout)
 
     def test_version(self):
@@ -130,6 +130,43 @@ class Convert(ProgramTest):
         (self.folder / "folder.vts").mkdir()
         self.assert_refused(self.convert("folder.vts")[0], 1, "folder.vts")
         self.assertEqual(self.files(), ["folder.vts"])
+
+
+class Fit(ProgramTest):
+    def fit(self, *arguments):
+        done = run("fit", *arguments)
+        if "without Ceres" in done.stderr:
+            self.skipTest(done.stderr.strip())
+        return done
+
+    def test_writes_the_same_bytes_again(self):
+        for name in ("a.json", "b.json"):
+            done = self.fit("transmittance", "--range", "0:2", "-o", self.folder / name)
+            self.assert_done(done)
+            self.assertIn("polynomial 2 to 2", done.stdout)
+        self.assertEqual((self.folder / "a.json").read_bytes(), (self.folder / "b.json").read_bytes())
+        written = json.loads((self.folder / "a.json").read_text())
+        self.assertEqual((written["format"], written["version"]), ("nephoscope calibration", 1))
+        self.assertEqual(written["command"], "nephoscope fit transmittance --range 0:2")
+
+    def test_shipped_calibrations_are_what_their_commands_make(self):
+        """To the digits that another machine's exponentials leave: slab, the quickest, stands for all."""
+        shipped = json.loads((ROOT / "Data" / "Calibration" / "slab.json").read_text())
+        self.assert_done(self.fit(*shipped["command"].split()[2:], "-o", self.folder / "slab.json"))
+        again = json.loads((self.folder / "slab.json").read_text())
+        for old, new in zip(shipped["fits"], again["fits"], strict=True):
+            for p, q in zip(old["parameters"], new["parameters"], strict=True):
+                self.assertEqual((old["name"], p["name"]), (new["name"], q["name"]))
+                self.assertAlmostEqual(p["value"], q["value"], delta=1e-6 * abs(p["value"]))
+
+    def test_what_is_wrong_is_said_in_a_line(self):
+        self.assert_refused(self.fit("transmitance"), 1, "'transmitance'", "transmittance, phase")
+        self.assert_refused(self.fit("slab", "--range", "3:3"), 1, "the range 3:3 is empty")
+        self.assert_refused(self.fit("slab", "--range=-3:3"), 1, "negative")
+        self.assert_refused(self.fit("slab", "--range", "3"), 2, "two numbers")
+        self.assert_refused(self.fit("slab", "-o", self.folder / "a.txt"), 2, "must end in .json")
+        self.assert_refused(self.fit("slab", "-o", self.folder / "no" / "a.json"), 1, "no folder")
+        self.assertEqual(self.files(), [])
 
 
 if __name__ == "__main__":
