@@ -36,7 +36,7 @@
  *                       globe under its levels and the air over a valley are gaps. Guaranteed: if there is no cycle,
  *                       every ray of the picture meets the tetrahedra in this order, whatever the shape of levels. Cycles
  *                       are counted; in one, the tetrahedron with the nearest centroid is drawn first and so on, each once.
- *                       Tetrahedra that overlap (folded levels) are drawn whole, one after the other.
+ *                       Tetrahedra that overlap (folded levels) are drawn whole, one after the other, and may count as cycles.
  *          Centroid     tetrahedra by the depth of their centroids, as vtkCellCenterDepthSort does. Nothing is guaranteed.
  * Errors   other data, no cells, no array (names those there are), an array of another length, a HeightScale that is not
  *          positive, a cylindrical camera: vtkErrorMacro, Prepare returns false and vtkCloudscape draws nothing.
