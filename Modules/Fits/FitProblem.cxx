@@ -120,6 +120,10 @@ private:
 
 void checkParameters(const FitProblem& problem)
 {
+  if (problem.parameters.empty() || !problem.model)
+  {
+    throw FitError(problem.name + ": there are no parameters, or no model");
+  }
   for (const FitParameter& p : problem.parameters)
   {
     if (!(p.lower < p.upper) || !std::isfinite(p.lower) || !std::isfinite(p.upper))

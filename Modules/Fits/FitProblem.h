@@ -19,7 +19,7 @@
  * model's own error, which is RemainingError. Conditioning: singular values of J with columns of length 1; below 1e-7 of the
  * largest they are not determined, and the parameters in their directions are named in a warning.
  *
- * Errors (FitError, one line): no or too few cases, bounds in the wrong order, a start outside them, an input, target or weight that is not
+ * Errors (FitError, one line): no parameters or model, no or too few cases, bounds in the wrong order, a start outside them, an input, target or weight that is not
  * finite, a negative weight, a model that is not finite at the start (the case is named), a cost that overflows, no convergence.
  * @sa FitModel.h, TestFitProblem.cxx
  */

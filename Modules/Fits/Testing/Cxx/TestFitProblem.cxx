@@ -220,6 +220,12 @@ TEST(FitProblem, SaysWhatIsWrong)
   problem.heldOut = { { { NaN }, 1 } };
   EXPECT_THAT(errorOf(problem), HasSubstr("the case (nan) has an input, target"));
   problem = line({ 1, 2, 3 });
+  problem.parameters.clear();
+  EXPECT_THAT(errorOf(problem), HasSubstr("there are no parameters, or no model"));
+  problem = line({ 1, 2, 3 });
+  problem.model = nullptr;
+  EXPECT_THAT(errorOf(problem), HasSubstr("there are no parameters, or no model"));
+  problem = line({ 1, 2, 3 });
   problem.parameters[1].upper = -100;
   EXPECT_THAT(errorOf(problem), HasSubstr("the bounds of b are not finite and in ascending order"));
   problem.parameters[1] = { "b", 3, 0, 1 };
