@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The constants against a table worked out independently, by another program's least squares and exchange algorithm.
-#include "FitSubjects.h"
+#include "FitErrorText.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,6 @@
 
 using nephoscope::Calibration;
 using nephoscope::Fit;
-using nephoscope::FitError;
 using nephoscope::FitProblem;
 using nephoscope::FitRange;
 using nephoscope::runFit;
@@ -58,19 +57,6 @@ FitProblem sampledPolynomial(int degree, double end, int places)
     problem.training.push_back({ { i * 0.0004 }, std::exp(-i * 0.0004) });
   }
   return problem;
-}
-
-std::string errorOf(const std::string& subject, FitRange range)
-{
-  try
-  {
-    runFit(subject, range);
-  }
-  catch (const FitError& error)
-  {
-    return error.what();
-  }
-  return "no error";
 }
 }
 
@@ -169,10 +155,10 @@ TEST(FitTransmittance, TakesARangeAndRefusesNonsense)
   EXPECT_LE(wide.fit("polynomial 2 to 1e+06").training.rms, 1.1e-3);
   EXPECT_EQ(wide.command, "nephoscope fit transmittance --range 0:1000000");
   EXPECT_EQ(whatIsWrong(wide), "");
-  EXPECT_THAT(errorOf("transmittance", { 2, 2 }), HasSubstr("the range 2:2 is empty"));
-  EXPECT_THAT(errorOf("transmittance", { 2, 1 }), HasSubstr("the range 2:1 is empty"));
-  EXPECT_THAT(errorOf("transmittance", { -1, 1 }), HasSubstr("the range -1:1 is negative"));
-  EXPECT_THAT(errorOf("transmittance", { 0, std::nan("") }), HasSubstr("is empty"));
-  EXPECT_THAT(errorOf("transmitance", { 0, 1 }),
+  EXPECT_THAT(fitErrorOf("transmittance", { 2, 2 }), HasSubstr("the range 2:2 is empty"));
+  EXPECT_THAT(fitErrorOf("transmittance", { 2, 1 }), HasSubstr("the range 2:1 is empty"));
+  EXPECT_THAT(fitErrorOf("transmittance", { -1, 1 }), HasSubstr("the range -1:1 is negative"));
+  EXPECT_THAT(fitErrorOf("transmittance", { 0, std::nan("") }), HasSubstr("is empty"));
+  EXPECT_THAT(fitErrorOf("transmitance", { 0, 1 }),
     HasSubstr("there is no fit 'transmitance'; there are transmittance"));
 }
