@@ -332,6 +332,25 @@ const char* vtkCloudNetCDFReader::GetCalendar()
     : "";
 }
 
+double vtkCloudNetCDFReader::GetTimeOfDate(const char* date)
+{
+  const std::string text = date ? date : "";
+  if (this->Internal->File && this->Internal->File->HasClock &&
+    text.find_first_not_of("0123456789-:.T Z") == std::string::npos)
+  {
+    try
+    {
+      const nephoscope::TimeAxis& clock = this->Internal->File->Clock;
+      return clock.secondsTo(nephoscope::TimeAxis("seconds since " + text, clock.calendar()));
+    }
+    catch (const nephoscope::ReadError&)
+    {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
 const char* vtkCloudNetCDFReader::GetVerticalCoordinate()
 {
   return this->Internal->Vertical ? this->Internal->Vertical->kind().c_str() : "";

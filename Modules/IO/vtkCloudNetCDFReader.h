@@ -124,6 +124,8 @@ public:
   const char* GetTimeLabel(int step); ///< yyyy-mm-ddThh:mm:ss in the file's calendar
   const char* GetTimeUnits();         ///< of GetTimeValue: "seconds since ..."; empty without time
   const char* GetCalendar();
+  /// GetTimeValue's scale at a date yyyy-mm-dd[Thh[:mm[:ss]]] in the file's calendar; NaN if it is none, or the file has no dates.
+  double GetTimeOfDate(const char* date);
   const char* GetVerticalCoordinate(); ///< e.g. "hybrid sigma-pressure"
   int GetChosenGeometry();             ///< never Automatic
   const char* GetChosenGeometryAsString();

@@ -94,9 +94,35 @@ class Animate(ProgramTest):
         self.assert_refused(run("animate", scene, "-o", scene), 1, "is not a folder")
         done = run("animate", scene, "-o", self.folder / "late", "--from", 2, "--to", 1)
         self.assertEqual(done.returncode, 1)
-        self.assertIn("end at step 1 and begin at step 2", done.stderr)
+        self.assertIn("begin at '2' and end at '1', which is not later", done.stderr)
+        for late in ("2001-10-01T18:00:01", "1e9", "yesterday"):
+            done = run("animate", scene, "-o", self.folder / late, "--to", late)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(f"'{late}' is no time within the file's steps 0 (2001-10-01T00:00:00) to 3", done.stderr)
         scene.write_text(scene.read_text().replace("at: 1", "at: 0"))
         self.assert_refused(run("animate", scene, "-o", self.folder / "b"), 2, "'at' of keyframe 2 is not greater")
+
+    def test_times_between_the_steps_as_dates_or_seconds(self):
+        scene = self.scene()
+        pictures = []
+        for n, (begin, end) in enumerate((("2001-10-01T03", "2001-10-01T04:30"), ("10800", "16200"))):
+            self.assert_done(run("animate", scene, "-o", self.folder / str(n), "--frames", 2, "--from", begin, "--to", end))
+            pictures.append([(self.folder / str(n) / f"frame-000{frame}.png").read_bytes() for frame in (0, 1)])
+        self.assertEqual(pictures[0], pictures[1])
+        self.assertNotEqual(pictures[0][0], pictures[0][1])
+
+    def test_how_long_a_texture_lives_is_the_scenes(self):
+        scene = self.scene("texture")
+        words = scene.read_text()
+        pictures = []
+        for hours in ("4", "400"):
+            scene.write_text(words + f"animation: {{ restartPeriod: {hours} }}\n")
+            self.assert_done(run("animate", scene, "-o", self.folder / hours, "--frames", 1, "--from", "2001-10-01T08"))
+            pictures.append((self.folder / hours / "frame-0000.png").read_bytes())
+        self.assertNotEqual(*pictures)
+        for hours, problem in (("0", "it must be from 0.1 to 100000"), ("-3", "it must be"), ("long", "must be a number, in hours")):
+            scene.write_text(words + f"animation: {{ restartPeriod: {hours} }}\n")
+            self.assert_refused(run("animate", scene, "-o", self.folder / "no"), 2, "'restartPeriod'", problem)
 
     def test_the_example(self):
         done = self.animate(DAY, "--frames", 1, "--size", "96x72")

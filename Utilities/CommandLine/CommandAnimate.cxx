@@ -165,7 +165,8 @@ void addAnimate(CLI::App& app)
     ->check(CLI::Range(0.1, 240.0));
   command
     ->add_option("--from", options->from,
-      "time step of the first frame, as --time of render; default the file's first")
+      "time of the first frame: as --time of render, or any date or second between the file's "
+      "steps; default the file's first")
     ->type_name("T");
   command->add_option("--to", options->to, "that of the last frame; default the file's last")
     ->type_name("T");

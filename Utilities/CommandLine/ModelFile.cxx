@@ -75,6 +75,13 @@ int stepOfNumber(vtkCloudNetCDFReader* reader, const std::string& text)
   const int index = number >= 0 && number < (steps ? steps : 1) ? static_cast<int>(number) : -1;
   return index == number ? index : -1;
 }
+
+/// The step that a text names, or -1.
+int stepOf(vtkCloudNetCDFReader* reader, const std::string& text)
+{
+  const int step = stepOfNumber(reader, text);
+  return step < 0 && text.size() >= 4 ? stepOfDate(reader, text) : step;
+}
 }
 
 vtkSmartPointer<vtkCloudNetCDFReader> openModelFile(const Data& data)
@@ -99,21 +106,32 @@ vtkSmartPointer<vtkCloudNetCDFReader> openModelFile(const Data& data)
 
 int timeStepOf(vtkCloudNetCDFReader* reader, const std::optional<std::string>& time)
 {
-  if (!time)
-  {
-    return 0;
-  }
-  int step = stepOfNumber(reader, *time);
-  if (step < 0 && time->size() >= 4)
-  {
-    step = stepOfDate(reader, *time);
-  }
+  const int step = time ? stepOf(reader, *time) : 0;
   if (step < 0)
   {
     throw Failure(std::string(reader->GetFileName()) + ": there is no time '" + *time +
       "'; the file has " + stepsOf(reader));
   }
   return step;
+}
+
+double timeOf(vtkCloudNetCDFReader* reader, const std::optional<std::string>& time)
+{
+  const int step = time ? stepOf(reader, *time) : 0;
+  if (step >= 0)
+  {
+    return reader->GetTimeValue(step);
+  }
+  char* end = nullptr;
+  const double number = std::strtod(time->c_str(), &end);
+  const double seconds = *end ? reader->GetTimeOfDate(time->c_str()) : number;
+  const int last = reader->GetNumberOfTimeSteps() - 1;
+  if (!(seconds >= reader->GetTimeValue(0) && seconds <= reader->GetTimeValue(last)))
+  {
+    throw Failure(std::string(reader->GetFileName()) + ": '" + *time +
+      "' is no time within the file's " + stepsOf(reader));
+  }
+  return seconds;
 }
 
 vtkSmartPointer<vtkStructuredGrid> readStep(

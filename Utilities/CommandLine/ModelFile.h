@@ -26,6 +26,13 @@ vtkSmartPointer<vtkCloudNetCDFReader> openModelFile(const Data& data);
 int timeStepOf(vtkCloudNetCDFReader* reader, const std::optional<std::string>& time);
 
 /**
+ * The time, in seconds on the file's axis, that a text means: as for timeStepOf, or any date or number of seconds between the first
+ * and the last step. No text is the first step.
+ * @throw Failure if the file's times do not reach there
+ */
+double timeOf(vtkCloudNetCDFReader* reader, const std::optional<std::string>& time);
+
+/**
  * Read the fields of a step. Says on standard error which time it took if there are several, and which warnings there were.
  * @param needsFraction diagnose a cloud fraction where the file has only condensate, and say so
  */

@@ -16,9 +16,24 @@ namespace nephoscope::program
 {
 namespace
 {
+/// The scene at the last of the file's times that is not after a time.
 Scene atTime(Scene scene, const std::optional<std::string>& time)
 {
-  scene.data.time = time;
+  const auto reader = openModelFile(scene.data);
+  int step = 0;
+  if (reader->GetNumberOfTimeSteps() == 0)
+  {
+    step = timeStepOf(reader, time);
+  }
+  else
+  {
+    const double seconds = timeOf(reader, time);
+    while (step + 1 < reader->GetNumberOfTimeSteps() && reader->GetTimeValue(step + 1) <= seconds)
+    {
+      ++step;
+    }
+  }
+  scene.data.time = std::to_string(step);
   return scene;
 }
 
@@ -48,27 +63,28 @@ MovingScene::MovingScene(const Scene& scene, const std::optional<std::string>& f
   }
   vtkCloudNetCDFReader* const reader = this->Data.reader;
   const int steps = reader->GetNumberOfTimeSteps();
-  const int first = timeStepOf(reader, from);
-  const int last = to ? timeStepOf(reader, to) : std::max(steps - 1, 0);
-  if (last < first || (last == first && steps > 1))
-  {
-    throw Failure(scene.data.file + ": the animation would end at step " + std::to_string(last) +
-      " and begin at step " + std::to_string(first) + "; give a later --to or an earlier --from");
-  }
   this->Moves = steps > 1;
   if (!this->Moves)
   {
     note(scene.data.file + ": has one time; its clouds stand still");
     return;
   }
-  this->Begin = reader->GetTimeValue(first);
-  this->End = reader->GetTimeValue(last);
+  this->Begin = timeOf(reader, from);
+  this->End = to ? timeOf(reader, to) : reader->GetTimeValue(steps - 1);
+  if (!(this->End > this->Begin))
+  {
+    throw Failure(scene.data.file + ": the animation would begin at '" + from.value_or("0") +
+      "' and end at '" + to.value_or("the last time") +
+      "', which is not later; give a later --to or an earlier --from");
+  }
   this->Between->SetInputConnection(reader->GetOutputPort());
   this->Textures->SetInputConnection(this->Between->GetOutputPort());
   // A tenth of a grid step is not seen: the wind itself is not known better.
   const double tolerance = std::clamp(this->Data.lie.gridStep / 10, 1e-3, 1e7);
   this->Between->SetTolerance(tolerance);
   this->Textures->SetTolerance(tolerance);
+  constexpr double Hour = 3600;
+  this->Textures->SetRestartPeriod(scene.animation.restartPeriod.value_or(0) * Hour);
   this->Carries = this->windCarries();
   this->Between->SetCarryClouds(this->Carries);
 }

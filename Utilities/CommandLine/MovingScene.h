@@ -23,7 +23,7 @@ class MovingScene
 {
 public:
   /**
-   * @param from, to first and last time as for timeStepOf; without one the file's
+   * @param from, to first and last time as for timeOf; without one the file's
    * @throw Failure for times that the file does not have, or that do not rise
    */
   MovingScene(const Scene& scene, const std::optional<std::string>& from,

@@ -65,10 +65,11 @@ struct Keyframe
   std::optional<Triple> towardSun;
 };
 
-/// How keyframes are joined.
+/// How keyframes are joined, and how long a moving texture lives.
 struct Animation
 {
   std::string motion = "smooth";
+  std::optional<double> restartPeriod; ///< h
 };
 
 struct Light

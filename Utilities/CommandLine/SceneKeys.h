@@ -102,6 +102,11 @@ void visitKeys(Animation& animation, Visitor&& visit)
   visit(Key{ "motion", "", "between keyframes: with a steady speed, or without a jerk", "smooth",
           {}, {}, { "smooth", "linear" } },
     animation.motion);
+  visit(Key{ "restartPeriod", "hours",
+          "textures that move begin anew so often and cross-fade; short bounds how far they are "
+          "stretched, long lets them fade less",
+          "until the wind has stretched them twofold", 0.1, 1e5 },
+    animation.restartPeriod);
 }
 
 template <class Visitor>

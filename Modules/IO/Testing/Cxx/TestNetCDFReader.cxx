@@ -522,6 +522,10 @@ TEST(NetCDFReader, EveryCalendar)
       read(reader, file);
       EXPECT_STREQ(reader->GetTimeLabel(0), row[1 + which]) << row[0];
       EXPECT_EQ(reader->GetTimeValue(0), (which ? 1.0 : 59.5) * 86400);
+      EXPECT_EQ(reader->GetTimeOfDate(row[1 + which]), reader->GetTimeValue(0)) << row[0];
+      EXPECT_TRUE(std::isnan(reader->GetTimeOfDate("tomorrow")));
+      EXPECT_TRUE(std::isnan(reader->GetTimeOfDate("2000-13-01")));
+      EXPECT_TRUE(std::isnan(reader->GetTimeOfDate(nullptr)));
     }
   }
 }
