@@ -299,7 +299,7 @@ RowSchemes AirInterval::schemes(
       *wind.grid, wind.levels, wind.radius, rows, integrator, wind.seconds, tolerance) };
 }
 
-double rootMeanSquareStrain(const AirGrid& air, const AirSnapshot& snapshot)
+double strainOfShare(const AirGrid& air, const AirSnapshot& snapshot, double share)
 {
   // The map of a short time: its largest singular value is 1 + strain rate * time.
   constexpr double Short = 600; // s
@@ -324,27 +324,20 @@ double rootMeanSquareStrain(const AirGrid& air, const AirSnapshot& snapshot)
         }
       }
     });
-  std::vector<double> rowSums(static_cast<std::size_t>(ny) * air.levels);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(rowSums.size()),
+  std::vector<float> strain(air.points());
+  vtkSMPTools::For(0, points,
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType row = begin; row < end; ++row)
+      for (vtkIdType p = begin; p < end; ++p)
       {
-        for (int i = 0; i < nx; ++i)
-        {
-          const Stretch stretch = stretchAt(
-            still, moved.data(), i, static_cast<int>(row % ny), static_cast<int>(row / ny));
-          const double rate =
-            std::max(stretch.largest - 1, 1 - std::min(stretch.smallest, 1.0)) / Short;
-          rowSums[row] += rate * rate;
-        }
+        const Stretch stretch = stretchAt(still, moved.data(), static_cast<int>(p % nx),
+          static_cast<int>(p / nx % ny), static_cast<int>(p / nx / ny));
+        strain[p] = static_cast<float>(
+          std::max(stretch.largest - 1, 1 - std::min(stretch.smallest, 1.0)) / Short);
       }
     });
-  double sum = 0;
-  for (const double row : rowSums)
-  {
-    sum += row;
-  }
-  return std::sqrt(sum / static_cast<double>(air.points()));
+  const auto at = strain.begin() + static_cast<std::ptrdiff_t>(share * (strain.size() - 1));
+  std::nth_element(strain.begin(), at, strain.end());
+  return *at;
 }
 }

@@ -101,7 +101,7 @@ private:
   std::vector<float> LevelVelocity[2];
 };
 
-/// The root of the mean square of a wind's strain rate, 1/s: its largest rate of stretching along the levels.
-double rootMeanSquareStrain(const AirGrid& air, const AirSnapshot& snapshot);
+/// The strain rate, 1/s, that a share of a wind's grid points do not exceed: the largest rate of stretching along the levels.
+double strainOfShare(const AirGrid& air, const AirSnapshot& snapshot, double share);
 }
 #endif

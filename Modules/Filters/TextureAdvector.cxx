@@ -103,9 +103,12 @@ void TextureAdvector::learn(vtkStructuredGrid* grid)
     this->Period = this->Setting.restartPeriod;
     if (this->Period == 0)
     {
+      // At one and a half periods, where a texture has faded to half its weight, its share has been stretched twofold.
+      constexpr double Share = 0.95;
       const double strain =
-        rootMeanSquareStrain(this->Air, airSnapshotOf(this->Air, grid, this->Times[0]));
-      this->Period = std::min(std::max(std::log(2.0) / strain, ShortestPeriod), LongestPeriod);
+        strainOfShare(this->Air, airSnapshotOf(this->Air, grid, this->Times[0]), Share);
+      this->Period =
+        std::min(std::max(std::log(2.0) / (1.5 * strain), ShortestPeriod), LongestPeriod);
     }
   }
 }

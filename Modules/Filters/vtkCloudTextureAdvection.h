@@ -91,8 +91,9 @@ public:
   ///@}
 
   ///@{
-  /// Seconds from one start to the next. 0, the default: ln 2 over the root mean square strain rate of the first time's wind, so that
-  /// a texture at its full weight is stretched about twofold; within an hour to ten days.
+  /// Seconds from one start to the next. 0, the default: ln 2 / (1.5 strain), with the strain rate that 95 % of the points do not
+  /// exceed in the first time's wind, so that these are stretched less than about twofold until a texture has faded to half its
+  /// weight; within an hour to ten days.
   vtkSetClampMacro(RestartPeriod, double, 0.0, 1e10);
   vtkGetMacro(RestartPeriod, double);
   ///@}
