@@ -99,6 +99,21 @@ Vector3 windAt(const AirGrid& air, const Vector3& position, const double v[3])
   return v[0] * east + v[1] * cross(position, east) + v[2] * position;
 }
 
+void measureRows(const AirGrid& air, AirSnapshot& snapshot)
+{
+  const int ny = air.columns.rows();
+  snapshot.rows.resize(static_cast<std::size_t>(ny) * air.levels);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(snapshot.rows.size()),
+    [&air, &snapshot, ny](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        snapshot.rows[row] = measureRow(air.columns, air.radius, snapshot.velocity.data(),
+          static_cast<int>(row % ny), static_cast<int>(row / ny));
+      }
+    });
+}
+
 float finite(double value)
 {
   return std::isfinite(value) ? static_cast<float>(value) : 0.0F;
@@ -208,16 +223,7 @@ AirSnapshot airSnapshotOf(const AirGrid& air, vtkStructuredGrid* grid, double ti
         snapshot.height[p] = finite(height->GetComponent(p, 0));
       }
     });
-  snapshot.rows.resize(static_cast<std::size_t>(ny) * air.levels);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(snapshot.rows.size()),
-    [&air, &snapshot, ny](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType row = begin; row < end; ++row)
-      {
-        snapshot.rows[row] = measureRow(air.columns, air.radius, snapshot.velocity.data(),
-          static_cast<int>(row % ny), static_cast<int>(row / ny));
-      }
-    });
+  measureRows(air, snapshot);
   return snapshot;
 }
 

@@ -43,7 +43,7 @@ struct Turn
 
 vtkSmartPointer<Atmosphere> atmosphere(const Turn& turn)
 {
-  const auto air = vtkSmartPointer<Atmosphere>::New();
+  auto air = vtkSmartPointer<Atmosphere>::New();
   air->Size[0] = 65;
   air->Size[1] = 32;
   air->Wind = [turn](const double p[3], double, double wind[3])
@@ -56,7 +56,7 @@ vtkSmartPointer<Atmosphere> atmosphere(const Turn& turn)
 
 vtkSmartPointer<vtkCloudTextureAdvection> advection(Atmosphere* air)
 {
-  const auto filter = vtkSmartPointer<vtkCloudTextureAdvection>::New();
+  auto filter = vtkSmartPointer<vtkCloudTextureAdvection>::New();
   filter->SetInputConnection(air->GetOutputPort());
   filter->CrossFadeOff();
   filter->SetIntegratorToRungeKutta4();
@@ -122,8 +122,9 @@ double errorInAngles(const Turn& turn, double time)
   double largest = 0;
   for (int n = 0; n < 64 * 32; ++n)
   {
+    const int row = n / 64;
     double longitude = 2 * Pi * (n % 64) / 64;
-    double latitude = -Pi / 2 + Pi * (n / 64 + 0.5) / 32;
+    double latitude = -Pi / 2 + Pi * (row + 0.5) / 32;
     const Vector3 exact = turn.before(direction(longitude, latitude), time);
     for (int step = 0; step < 12; ++step)
     {

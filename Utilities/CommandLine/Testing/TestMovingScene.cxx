@@ -253,8 +253,8 @@ TEST_P(MovingPictures, CloudsInPicturesMoveWithTheWind)
   {
     for (int x = Margin; x < view.width - Margin; x += 10)
     {
-      const auto wind = air.windOfClouds(
-        view.x + (x - view.width / 2) * view.pixel, view.y + (y - view.height / 2) * view.pixel);
+      const auto wind = air.windOfClouds(view.x + (x - 0.5 * view.width) * view.pixel,
+        view.y + (y - 0.5 * view.height) * view.pixel);
       const auto moved = wind ? search.find(x, y) : std::nullopt;
       const double u = wind ? (*wind)[0] * 3600 / view.pixel : 0; // pixels
       const double v = wind ? (*wind)[1] * 3600 / view.pixel : 0;
