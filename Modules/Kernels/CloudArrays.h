@@ -54,6 +54,8 @@ inline constexpr const char* Geometry = "Geometry";         ///< string: Map, Gl
 inline constexpr const char* PlanetRadius = "PlanetRadius"; ///< double, scene units; Globe only
 inline constexpr const char* HeightScale =
   "HeightScale"; ///< double, scene units of vertical distance per metre of Height (the exaggeration, in metres)
+inline constexpr const char* HeightField =
+  "HeightField"; ///< double: a cloud between two height functions, as nephoscope::numbersOf writes it
 inline constexpr const char* Projection = "Projection"; ///< string, PROJ definition; Local only
 inline constexpr const char* Derived =
   "Derived"; ///< strings: what a reader computed and how, one line a quantity

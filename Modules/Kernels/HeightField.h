@@ -81,9 +81,10 @@ public:
   /// @param f F of the place, @param zeta its height over the cloud plane, m
   double inside(double f, double zeta) const
   {
-    const double u = f + this->Shape.c > 0 ? f + this->Shape.c : 0;
+    const double u = f + this->Shape.c;
     const double c2 = this->Shape.c * this->Shape.c;
-    return u * u - c2 - zeta * zeta * (zeta < 0 ? (u * u + c2) * this->InverseDepthSquared : 1.0);
+    return (u < 0 ? -u : u) * u - c2 -
+      zeta * zeta * (zeta < 0 ? (u * u + c2) * this->InverseDepthSquared : 1.0);
   }
 
   /// No F is larger; infinite if the polynomial has no maximum.

@@ -75,8 +75,8 @@ void HeightFieldMoments::run(const CloudSlice& slice)
 {
   this->Tables.clear();
   this->Tall = false;
-  this->Sweep.run(
-    this->Field, this->PlaneHeight, slice, this->Slopes, this->Settings.samplesPerWave, *this);
+  this->Sweep.run(this->Field, this->PlaneHeight, slice, this->Slopes,
+    this->Settings.samplesPerWave, this->resolution(), *this);
 }
 
 void HeightFieldMoments::sampled(const SampleBlock& block)

@@ -32,6 +32,7 @@
 
 #include "HeightField.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -145,6 +146,12 @@ protected:
   double endOf(std::uint32_t ray) const
   {
     return this->Ends.empty() ? std::numeric_limits<double>::infinity() : this->Ends[ray];
+  }
+
+  /// A thousandth of an optical depth, m.
+  double resolution() const
+  {
+    return 1e-3 / std::max({ this->Densities.sun, this->Densities.view, 1e-300 });
   }
 
   HeightField Field;

@@ -11,8 +11,8 @@ void HeightFieldSexp::run(const CloudSlice& slice)
   this->Places.clear();
   this->Tops.clear();
   this->Sums.clear();
-  this->Sweep.run(
-    this->Field, this->PlaneHeight, slice, this->Slopes, this->Settings.samplesPerWave, *this);
+  this->Sweep.run(this->Field, this->PlaneHeight, slice, this->Slopes,
+    this->Settings.samplesPerWave, this->resolution(), *this);
 }
 
 void HeightFieldSexp::sampled(const SampleBlock& block)

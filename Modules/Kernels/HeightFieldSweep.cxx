@@ -11,6 +11,21 @@ namespace
 constexpr int Steps = SampleBlock::Steps;
 constexpr int MostBlocks = 1 << 14; ///< a million samples
 
+/// The number of slopes below one, searched from a number that was right nearby.
+inline std::uint32_t below(const std::vector<double>& slopes, std::uint32_t from, double slope)
+{
+  const auto count = static_cast<std::uint32_t>(slopes.size());
+  while (from < count && slopes[from] < slope)
+  {
+    ++from;
+  }
+  while (from > 0 && slopes[from - 1] >= slope)
+  {
+    --from;
+  }
+  return from;
+}
+
 /// Adds a wave to F and dF/dr, its value and its derivative from the sine and the cosine of its argument.
 template <class Add>
 void addWave(SampleBlock& block, double sine0, double cosine0, const double* cosine,
@@ -52,18 +67,21 @@ void HeightFieldSweep::turn(double spacing)
 {
   for (Phase& phase : this->Phases)
   {
-    // By doubling: errors grow with the logarithm.
+    // By doubling, the angle of each turn twice that of the one before.
     phase.cosine[0] = 1;
     phase.sine[0] = 0;
+    double c = std::cos(phase.speed * spacing);
+    double s = std::sin(phase.speed * spacing);
     for (int n = 1; n <= Steps; n *= 2)
     {
-      const double c = std::cos(phase.speed * spacing * n);
-      const double s = std::sin(phase.speed * spacing * n);
       for (int j = 0; j < n && n + j <= Steps; ++j)
       {
         phase.cosine[n + j] = c * phase.cosine[j] - s * phase.sine[j];
         phase.sine[n + j] = s * phase.cosine[j] + c * phase.sine[j];
       }
+      const double twice = 2 * s * c;
+      c = (c - s) * (c + s);
+      s = twice;
     }
   }
   this->Turned = spacing;
@@ -128,28 +146,17 @@ void HeightFieldSweep::sample(double start, double spacing)
   }
 }
 
-/// The number of slopes below one, searched from a number that was right nearby.
-std::uint32_t HeightFieldSweep::below(std::uint32_t from, double slope) const
-{
-  const std::vector<double>& slopes = *this->Slopes;
-  const auto count = static_cast<std::uint32_t>(slopes.size());
-  while (from < count && slopes[from] < slope)
-  {
-    ++from;
-  }
-  while (from > 0 && slopes[from - 1] >= slope)
-  {
-    --from;
-  }
-  return from;
-}
-
 HeightFieldSweep::Inside HeightFieldSweep::insideAt(double r, double top, double bottom)
 {
+  const std::vector<double>& slopes = *this->Slopes;
   const double inverse = 1 / std::max(r, 1e-300);
-  return { this->below(this->Last.first, (bottom - this->Eye) * inverse),
-    this->below(this->Last.last, (top - this->Eye) * inverse),
-    this->below(this->Last.plane, -this->Eye * inverse) };
+  const std::uint32_t plane = below(slopes, this->Last.plane, -this->Eye * inverse);
+  if (!(top > 0))
+  {
+    return { plane, plane, plane };
+  }
+  return { below(slopes, this->Last.first, (bottom - this->Eye) * inverse),
+    below(slopes, this->Last.last, (top - this->Eye) * inverse), plane };
 }
 
 double HeightFieldSweep::crossing(std::uint32_t ray, int j, double from, double to) const
@@ -158,8 +165,9 @@ double HeightFieldSweep::crossing(std::uint32_t ray, int j, double from, double 
   const double slope = (*this->Slopes)[ray];
   const double height = this->Eye + slope * block.at(j);
   const double rise = slope * block.spacing;
-  const auto inside = [&](double x)
-  { return this->Field->inside(block.between(j, x), height + rise * x); };
+  const SampleCubic f = block.cubic(j);
+  const HeightField& field = *this->Field;
+  const auto inside = [&](double x) { return field.inside(f(x), height + rise * x); };
   double a = from;
   double b = to;
   double atA = inside(a);
@@ -168,13 +176,15 @@ double HeightFieldSweep::crossing(std::uint32_t ray, int j, double from, double 
   {
     return std::abs(atA) < std::abs(atB) ? a : b;
   }
-  // The Illinois rule: a secant whose stale end counts half.
+  // The Illinois rule: a secant whose stale end counts half. Steep rays and dense clouds ask for more digits.
+  const double digits = std::min(1e-5, this->Resolution / block.spacing) / (1 + std::abs(slope));
+  const double enough = std::max(1e-13, digits * (to - from));
   int side = 0;
-  for (int n = 0; n < 60 && std::abs(b - a) > 1e-12 * (to - from); ++n)
+  for (int n = 0; n < 60 && b - a > enough; ++n)
   {
     const double x = n % 8 == 7 ? 0.5 * (a + b) : (a * atB - b * atA) / (atB - atA);
     const double at = inside(x);
-    if (std::abs(x - (side > 0 ? b : a)) < 1e-7 * (to - from) && n > 1)
+    if (n > 0 && std::abs(x - (side > 0 ? b : a)) < enough)
     {
       return x;
     }
@@ -211,7 +221,6 @@ void HeightFieldSweep::end(std::uint32_t ray, const SweepPlace& out, Listener& l
   if (out.r > in.r && !listener.chord(ray, in, out))
   {
     this->Done[ray] = 1;
-    --this->Alive;
   }
 }
 
@@ -317,29 +326,53 @@ void HeightFieldSweep::closeAll(Listener& listener)
   }
 }
 
-void HeightFieldSweep::run(const HeightField& field, double planeHeight, const CloudSlice& slice,
-  const std::vector<double>& slopes, double samplesPerWave, Listener& listener)
+/// Whether any ray can still meet the layer beyond r; those at both ends of the fan that cannot are forgotten.
+bool HeightFieldSweep::isAhead(double r, double far)
 {
+  const auto isOver = [&](std::uint32_t ray)
+  {
+    const double near = this->Eye + (*this->Slopes)[ray] * r;
+    const double end = this->Eye + (*this->Slopes)[ray] * far;
+    return this->Done[ray] || std::max(near, end) < this->Low || std::min(near, end) > this->High;
+  };
+  auto& [first, last] = this->Ahead;
+  while (first < last && isOver(first))
+  {
+    ++first;
+  }
+  while (first < last && isOver(last - 1))
+  {
+    --last;
+  }
+  return first < last;
+}
+
+void HeightFieldSweep::run(const HeightField& field, double planeHeight, const CloudSlice& slice,
+  const std::vector<double>& slopes, double samplesPerWave, double resolution, Listener& listener)
+{
+  this->Resolution = resolution;
   this->Field = &field;
   this->Slopes = &slopes;
   this->Eye = slice.z - planeHeight;
   this->prepare(slice);
-  const HeightFieldRange range = layerRange(this->Eye, -field.shape().depth,
-    field.top(std::max(0.0, field.upperBound())), slopes.front(), slopes.back(), slice.far);
+  this->Low = -field.shape().depth;
+  this->High = field.top(std::max(0.0, field.upperBound()));
+  const HeightFieldRange range =
+    layerRange(this->Eye, this->Low, this->High, slopes.front(), slopes.back(), slice.far);
   if (!(range.first < range.last))
   {
     return;
   }
   this->Entered.assign(slopes.size(), { 0, -1, 0 });
   this->Done.assign(slopes.size(), 0);
-  this->Alive = static_cast<std::uint32_t>(slopes.size());
+  this->Ahead = { 0, static_cast<std::uint32_t>(slopes.size()) };
   this->Last = {};
   // Without waves F is a parabola, which the cubics follow exactly.
   double spacing =
     std::min(field.shortestWave() / samplesPerWave, (range.last - range.first) / 256);
   spacing = std::max(spacing, (range.last - range.first) / (1.0 * MostBlocks * Steps));
   double start = range.first;
-  while (start<range.last&& this->Alive> 0)
+  while (start < range.last && this->isAhead(start, slice.far))
   {
     while (2 * spacing < slice.growth * start)
     {
@@ -354,9 +387,6 @@ void HeightFieldSweep::run(const HeightField& field, double planeHeight, const C
       break;
     }
   }
-  if (this->Alive > 0)
-  {
-    this->closeAll(listener);
-  }
+  this->closeAll(listener);
 }
 }

@@ -19,11 +19,21 @@
 #include "HeightFieldRay.h"
 
 #include <cstddef>
-#include <functional>
+#include <utility>
 #include <vector>
 
 namespace nephoscope
 {
+/// A cubic of x from 0 to 1 between two samples.
+struct SampleCubic
+{
+  double a, b, c, d;
+  double operator()(double x) const
+  {
+    return this->a + x * (this->b + x * (this->c + x * this->d));
+  }
+};
+
 /// Samples start + j spacing, j = 0 to Steps; the last is the next block's first.
 struct SampleBlock
 {
@@ -36,15 +46,15 @@ struct SampleBlock
 
   double at(int j) const { return this->start + this->spacing * j; }
 
-  /// F between samples j and j + 1, x from 0 to 1.
-  double between(int j, double x) const
+  /// F between samples j and j + 1.
+  SampleCubic cubic(int j) const
   {
     const double d0 = this->slope[j] * this->spacing;
     const double d1 = this->slope[j + 1] * this->spacing;
     const double rise = this->f[j + 1] - this->f[j];
-    const double square = 3 * rise - 2 * d0 - d1;
-    return this->f[j] + x * (d0 + x * (square + x * (d0 + d1 - 2 * rise)));
+    return { this->f[j], d0, 3 * rise - 2 * d0 - d1, d0 + d1 - 2 * rise };
   }
+  double between(int j, double x) const { return this->cubic(j)(x); }
 };
 
 /// A place on a slice: between samples `step` and step + 1 of a block.
@@ -69,9 +79,10 @@ public:
     virtual bool chord(std::uint32_t ray, const SweepPlace& in, const SweepPlace& out) = 0;
   };
 
-  /// Sweep a slice with ascending slopes.
+  /// Sweep a slice with ascending slopes; resolution is how far off ends may be, m.
   void run(const HeightField& field, double planeHeight, const CloudSlice& slice,
-    const std::vector<double>& slopes, double samplesPerWave, Listener& listener);
+    const std::vector<double>& slopes, double samplesPerWave, double resolution,
+    Listener& listener);
 
   double eye() const { return this->Eye; } ///< over the cloud plane, m
   const SampleBlock& block(int b) const { return this->Blocks[static_cast<std::size_t>(b)]; }
@@ -102,24 +113,28 @@ private:
   void scan(Listener& listener);
   void step(int j, const Inside& before, const Inside& after, Listener& listener);
   Inside insideAt(double r, double top, double bottom);
-  std::uint32_t below(std::uint32_t from, double slope) const;
   void enter(std::uint32_t ray, int j);
   void leave(std::uint32_t ray, int j, Listener& listener);
   void pierce(std::uint32_t ray, int j, Listener& listener);
   void closeAll(Listener& listener);
+  bool isAhead(double r, double far);
   double crossing(std::uint32_t ray, int j, double from, double to) const;
   void end(std::uint32_t ray, const SweepPlace& out, Listener& listener);
 
   const HeightField* Field = nullptr;
   const std::vector<double>* Slopes = nullptr;
-  double Eye = 0; ///< over the plane
+  double Eye = 0; ///< over the plane, as Low and High, between which clouds are
+  double Low = 0;
+  double High = 0;
+  double Resolution = 0;
   double Polynomial[3] = {};
   std::vector<Phase> Phases;
   double Turned = 0; ///< the spacing of the turns
   std::vector<SampleBlock> Blocks;
   std::vector<SweepPlace> Entered; ///< of each ray; block -1 outside
   std::vector<char> Done;
-  std::uint32_t Alive = 0;
+  std::pair<std::uint32_t, std::uint32_t>
+    Ahead; ///< rays outside this range have no cloud before them
   Inside Last{};
 };
 }

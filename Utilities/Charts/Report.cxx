@@ -65,6 +65,7 @@ const char* errorLabel(const std::string& group)
   return group == "contour" ? "RMS error of cloud fraction over the surface"
     : group == "advection"  ? "RMS error of position, m of the scene"
     : group == "order"      ? "RMS error of radiance"
+    : group == "scattering" ? "Median relative error of light"
                             : "RMS error of transmittance";
 }
 
@@ -194,6 +195,8 @@ std::vector<Study> studies(bool quick, int threads)
     { "order", "order", Study::SpeedAndAccuracy,
       grids({ quick ? grid : std::array<int, 3>{ 160, 80, 19 } }, picture, threads), accuracy },
     { "advection", "advection", Study::SpeedAndAccuracy, grids({ grid }, picture, threads),
+      accuracy },
+    { "scattering", "scattering", Study::SpeedAndAccuracy, grids({ grid }, picture, threads),
       accuracy },
     { "contour-cells", "contour", Study::GrowthWithCells, grids(sizes, picture, threads), growing },
     { "volume-cells", "volume", Study::GrowthWithCells, grids(sizes, picture, threads), growing },

@@ -144,7 +144,8 @@ std::string titleOf(const Study& study)
   const std::string what = study.group == "contour" ? "Contours of a gridded cloud field"
     : study.group == "advection"                    ? "A step of trajectories on a turning globe"
     : study.group == "order"                        ? "Orders of cells in volume pictures"
-                                                    : "Volume pictures of a gridded cloud field";
+    : study.group == "scattering" ? "Sunlight scattered once in height-field clouds"
+                                  : "Volume pictures of a gridded cloud field";
   switch (study.kind)
   {
     case Study::SpeedAndAccuracy:
@@ -164,6 +165,10 @@ std::string subtitleOf(const Study& study, const std::vector<Measurement>& measu
   if ((study.group == "volume" || study.group == "order") && study.kind != Study::GrowthWithPixels)
   {
     text += ", " + std::to_string(s.pixels[0]) + " x " + std::to_string(s.pixels[1]) + " pixels";
+  }
+  if (study.group == "scattering")
+  {
+    return "12 slices of " + std::to_string(s.pixels[1]) + " rays from below, one thread";
   }
   text += ", " + std::to_string(s.threads) + (s.threads == 1 ? " thread" : " threads");
   std::size_t leftOut = 0;

@@ -31,7 +31,7 @@ void requireView(const Scene& scene, const std::string& name)
 bool needsData(const Body& body)
 {
   return !std::holds_alternative<PlaneBody>(body) && !std::holds_alternative<TerrainBody>(body) &&
-    !std::holds_alternative<WaterBody>(body);
+    !std::holds_alternative<WaterBody>(body) && !std::holds_alternative<HeightFieldBody>(body);
 }
 
 Scene sceneOfStyle(const std::string& style, const std::string& dataFile)

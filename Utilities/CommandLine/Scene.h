@@ -158,8 +158,28 @@ struct WaterBody
   Triple color{ 0.008, 0.03, 0.04 };
 };
 
-using Body =
-  std::variant<SurfaceBody, TextureBody, VolumeBody, GlobeBody, PlaneBody, TerrainBody, WaterBody>;
+/// Clouds between two height functions: Max 1986.
+struct HeightFieldBody
+{
+  double height = 1000; ///< m
+  double cover = 0.4;
+  double wavelength = 1500; ///< m
+  double relief = 160;      ///< m
+  double roundness = 30;    ///< m
+  double baseDepth = 80;    ///< m
+  int waves = 12;
+  int billows = 7;
+  double shortening = 0.72;
+  double smoothness = 1;
+  int seed = 1;
+  Triple extinction{ 9.3, 16.3, 19.8 }; ///< 1/km
+  double asymmetry = 0;
+  double far = 50; ///< km
+  std::string method = "Moments";
+};
+
+using Body = std::variant<SurfaceBody, TextureBody, VolumeBody, GlobeBody, PlaneBody, TerrainBody,
+  WaterBody, HeightFieldBody>;
 
 /// Haze of one density everywhere.
 struct UniformMedium

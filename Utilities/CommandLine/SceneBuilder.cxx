@@ -15,6 +15,9 @@
 #include <vtkCloudGlobe.h>
 #include <vtkCloudGradedBackdrop.h>
 #include <vtkCloudHaze.h>
+#include <vtkCloudHeightField.h>
+#include <vtkCloudHeightFieldShadow.h>
+#include <vtkCloudHeightFieldSource.h>
 #include <vtkCloudNetCDFReader.h>
 #include <vtkCloudPlane.h>
 #include <vtkCloudSmooth.h>
@@ -166,6 +169,36 @@ public:
     this->Built.scape->AddBody(water);
     this->Waters.emplace_back(water);
     this->Shaded.emplace_back(water, 0);
+  }
+
+  void operator()(const HeightFieldBody& body)
+  {
+    const vtkNew<vtkCloudHeightFieldSource> shape;
+    shape->SetPlaneHeight(body.height);
+    shape->SetCover(body.cover);
+    shape->SetWavelength(body.wavelength);
+    shape->SetRelief(body.relief);
+    shape->SetRoundness(body.roundness);
+    shape->SetBaseDepth(body.baseDepth);
+    shape->SetNumberOfWaves(body.waves);
+    shape->SetNumberOfBillows(body.billows);
+    shape->SetShortening(body.shortening);
+    shape->SetSmoothness(body.smoothness);
+    shape->SetSeed(body.seed);
+    const vtkNew<vtkCloudHeightField> clouds;
+    clouds->SetInputConnection(shape->GetOutputPort());
+    clouds->SetMethod(body.method);
+    clouds->SetSunExtinction(body.extinction[0] / 1000);
+    clouds->SetViewExtinction(body.extinction[1] / 1000);
+    clouds->SetBackgroundExtinction(body.extinction[2] / 1000);
+    clouds->SetAsymmetry(body.asymmetry);
+    clouds->SetFarDistance(body.far * 1000);
+    this->light(clouds);
+    this->Built.scape->AddBody(clouds);
+    const auto shadow = vtkSmartPointer<vtkCloudHeightFieldShadow>::New();
+    shadow->SetInputConnection(shape->GetOutputPort());
+    shadow->SetExtinction(body.extinction[0] / 1000);
+    this->Shadow = shadow;
   }
 
   void operator()(const UniformMedium& medium)

@@ -253,6 +253,39 @@ void visitKeys(WaterBody& body, Visitor&& visit)
 }
 
 template <class Visitor>
+void visitKeys(HeightFieldBody& body, Visitor&& visit)
+{
+  visit(
+    Key{ "height", "m", "of the cloud plane, on which the clouds' edges lie", "1000", -1e5, 1e5 },
+    body.height);
+  visit(Key{ "cover", "1", "share of the sky", "0.4", 0, 1 }, body.cover);
+  visit(Key{ "wavelength", "m", "of the longest wave: distance of the clouds", "1500", 1, 1e6 },
+    body.wavelength);
+  visit(Key{ "relief", "m", "amplitude of the longest wave", "160", 0, 1e5 }, body.relief);
+  visit(Key{ "roundness", "m", "c: radius of the clouds' edges", "30", 0, 1e5 }, body.roundness);
+  visit(Key{ "baseDepth", "m", "D: how far bottoms reach below the plane", "80", 1e-3, 1e5 },
+    body.baseDepth);
+  visit(Key{ "waves", "1", "number of waves", "12", 1, 64 }, body.waves);
+  visit(
+    Key{ "billows", "1", "how many of the shortest waves are billows with creases", "7", 0, 64 },
+    body.billows);
+  visit(Key{ "shortening", "1", "length of each wave over that of the last", "0.72", 0.01, 1 },
+    body.shortening);
+  visit(Key{ "smoothness", "1", "amplitudes are as the lengths to this power", "1", 0, 10 },
+    body.smoothness);
+  visit(Key{ "seed", "", "makes clouds with equal parameters different", "1", 0, 1e9 }, body.seed);
+  visit(Key{ "extinction", "1/km", "of sunlight, of light to the eye, and of what lies behind",
+          "[9.3, 16.3, 19.8]", 0, 1e9 },
+    body.extinction);
+  visit(Key{ "asymmetry", "1", "mean cosine of the scattering angle", "0", -0.95, 0.95 },
+    body.asymmetry);
+  visit(Key{ "far", "km", "distance where clouds end", "50", 0.01, 1e4 }, body.far);
+  visit(Key{ "method", "", "of the scattering; Moments is fast, Exact the reference", "Moments", {},
+          {}, { "Moments", "Exact", "March", "Sexp1986" } },
+    body.method);
+}
+
+template <class Visitor>
 void visitKeys(UniformMedium& medium, Visitor&& visit)
 {
   visit(Key{ "extinction", "1/km", "optical depth of a kilometre of the scene", "0", 0, 1e6 },
@@ -299,6 +332,7 @@ void visitTypes(Body*, Visitor&& visit)
   visit(
     "terrain", "made-up hills, opaque, in the shadow of the height-field clouds", TerrainBody());
   visit("water", "sea with waves that mirror sky, sun, clouds and hills, opaque", WaterBody());
+  visit("heightField", "clouds between two height functions, lit from above", HeightFieldBody());
 }
 
 template <class Visitor>

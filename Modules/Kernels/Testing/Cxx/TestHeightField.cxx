@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Cumulus.h"
 #include "HeightField.h"
 
 #include <gtest/gtest.h>
@@ -163,4 +164,34 @@ TEST(HeightField, HostileShapesGiveNumbers)
   EXPECT_TRUE(std::isfinite(top.value) && std::isfinite(top.x) && std::isfinite(top.y));
   EXPECT_EQ(field.shape().c, 0);
   EXPECT_TRUE(std::isfinite(field.bottom(2.0)));
+}
+
+// Made-up clouds cover about the share of the sky that was asked for, and come back from their row of numbers.
+TEST(HeightField, CumulusCoversItsShare)
+{
+  for (const double cover : { 0.2, 0.5, 0.8 })
+  {
+    Cumulus cumulus;
+    cumulus.cover = cover;
+    const HeightField field(cumulusShape(cumulus));
+    int covered = 0;
+    int all = 0;
+    for (double x = 0; x < 60000; x += 317)
+    {
+      for (double y = 0; y < 40000; y += 291)
+      {
+        covered += field.value(x, y) > 0 ? 1 : 0;
+        ++all;
+      }
+    }
+    EXPECT_NEAR(1.0 * covered / all, cover, 0.05);
+    const std::vector<double> numbers = numbersOf(field.shape(), 900);
+    HeightFieldShape copy;
+    double plane = 0;
+    ASSERT_TRUE(shapeOf(numbers.data(), numbers.size(), copy, plane));
+    EXPECT_EQ(plane, 900);
+    EXPECT_EQ(numbersOf(copy, plane), numbers);
+    EXPECT_FALSE(shapeOf(numbers.data(), numbers.size() - 1, copy, plane));
+    EXPECT_FALSE(shapeOf(numbers.data(), 5, copy, plane));
+  }
 }
