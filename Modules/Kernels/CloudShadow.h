@@ -4,8 +4,8 @@
  * @brief How much sunlight comes through a cloud plane: a map of transmittances at one height.
  *
  * Max 1986, section 6: a ray from a point towards the sun meets the mean cloud plane; what the cloud lets through there is
- * exp(-rho (g - h)), its vertical thickness's. The map holds that, whoever has worked it out. Where it has no value, and above the
- * plane, the sun shines undimmed; so it does for a sun that is not above the horizon, whose light has no business there.
+ * exp(-rho (g - h)), its vertical thickness's. The map holds that, whoever has worked it out. Above the
+ * plane the sun shines undimmed; so it does for a sun that is not above the horizon, whose light has no business there.
  */
 #ifndef CloudShadow_h
 #define CloudShadow_h
@@ -21,13 +21,14 @@ struct CloudShadow
 {
   GridPyramid transmittance; ///< 0 to 1; empty for no clouds
   double height = 0;         ///< z of the plane, scene units
+  double beyond = 1;         ///< where the map has no value
 
   /// At a place of the plane, as a footprint sees it.
   double at(double x, double y, double footprint = 0) const
   {
     if (!this->transmittance.contains(x, y))
     {
-      return 1;
+      return this->beyond;
     }
     return std::clamp(this->transmittance.value(x, y, footprint), 0.0, 1.0);
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace nephoscope
 {
@@ -40,6 +41,16 @@ GridPyramid::Level GridPyramid::halved(const Level& fine)
     }
   }
   return coarse;
+}
+
+double GridPyramid::mean() const
+{
+  if (this->empty())
+  {
+    return 0;
+  }
+  const std::vector<float>& values = this->Levels[0].values;
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 bool GridPyramid::contains(double x, double y) const

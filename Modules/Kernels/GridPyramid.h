@@ -4,7 +4,8 @@
  * @brief Numbers on a horizontal grid, to be looked up at any place as finely as a pixel sees them.
  *
  * Level 0 is the grid, bilinear between its points. Each further level holds the means of 2 x 2 samples of the one before, so
- * that a sample of level l is about 2^l spacings wide; a footprint takes the two levels about its own width, linearly mixed.
+ * that a sample of level l is about 2^l spacings wide; a footprint takes the two levels about its own width, linearly mixed. (Where a level has an odd
+ * number of samples, its last counts twice.)
  * Beyond the grid its edge goes on. Numbers that are not finite are read as 0.
  *
  * @sa HeightGrid.h, CloudShadow.h, TestHeightGrid.cxx
@@ -48,6 +49,9 @@ public:
     double y;
   };
   Slopes slopes(double x, double y, double footprint = 0) const;
+
+  /// Of all points alike; 0 if there are none.
+  double mean() const;
 
   /// A point of the grid itself.
   float at(int i, int j) const { return this->Levels[0].at(i, j); }

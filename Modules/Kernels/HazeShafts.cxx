@@ -85,7 +85,7 @@ void HazeShafts::tabulate(int radials)
   {
     return;
   }
-  // Beyond the grid's farthest corner there are no clouds.
+  // Beyond its farthest corner the map has no value.
   const double x1 = frame.x0 + (frame.nx - 1) * frame.dx;
   const double y1 = frame.y0 + (frame.ny - 1) * frame.dy;
   const double reach =
@@ -238,7 +238,7 @@ HazeShafts::Moments HazeShafts::momentsTo(int radial, double r) const
   const int k = static_cast<int>(std::min<double>(r, last));
   const std::size_t at = static_cast<std::size_t>(radial) * this->Radials + k;
   Moments sum = this->Sums[at];
-  const double here = k < last ? this->Covers[at] : 1.0; // beyond all clouds
+  const double here = k < last ? this->Covers[at] : this->Clouds.beyond;
   addLinear(here, k < last ? this->Covers[at + 1] - here : 0, k, r - k, sum.m);
   return sum;
 }

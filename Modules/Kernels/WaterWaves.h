@@ -47,7 +47,7 @@ struct WaterWavesParameters
   Vector3 wind{ 1, 0, 0 }; ///< where it blows to; z does not count
   double longest = 40;     ///< wavelength, m, > 0
   double shortest = 0.2;   ///< wavelength, m, > 0
-  int number = 48;         ///< of waves, >= 1
+  int number = 72;         ///< of waves, >= 1
   double time = 0;         ///< t, s
   double period =
     0; ///< s; if > 0 each w is rounded so that the sea repeats after it. Waves slower than that stand still.

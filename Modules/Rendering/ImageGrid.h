@@ -52,12 +52,18 @@ inline std::string readGrid(
   return {};
 }
 
-/// The clouds' shadow from an optional input; none is no clouds. Returns what is wrong, or nothing.
+/// The clouds' shadow from an optional input; none is no clouds, and beyond the image they go on as they are in the mean.
+/// Returns what is wrong, or nothing.
 inline std::string readShadow(vtkDataObject* data, nephoscope::CloudShadow& shadow)
 {
   shadow = {};
-  return data
-    ? readGrid(data, nephoscope::arrays::SunTransmittance, shadow.transmittance, shadow.height)
-    : std::string();
+  if (!data)
+  {
+    return {};
+  }
+  std::string wrong =
+    readGrid(data, nephoscope::arrays::SunTransmittance, shadow.transmittance, shadow.height);
+  shadow.beyond = wrong.empty() ? shadow.transmittance.mean() : 1;
+  return wrong;
 }
 #endif

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 vtkStandardNewMacro(vtkCloudWater);
 
@@ -34,6 +35,15 @@ Vector3 vectorOf(const double v[3])
   return { v[0], v[1], v[2] };
 }
 
+/// A number in [0, 1) for each pixel.
+double lotOf(int x, int y)
+{
+  std::uint32_t h =
+    static_cast<std::uint32_t>(x) * 73856093U ^ static_cast<std::uint32_t>(y) * 19349663U;
+  h = (h ^ h >> 15) * 0x2c1b3c6dU;
+  return (h >> 8) / 16777216.0;
+}
+
 Vector3 normalOf(double slopeX, double slopeY)
 {
   return normalized(Vector3{ -slopeX, -slopeY, 1 });
@@ -50,6 +60,7 @@ public:
     Vector3 At;
     Vector3 Ray; ///< unit, from the eye
     WaterSlopes Slopes;
+    double Lot; ///< 0 to 1, drawn for each pixel
   };
 
   Vector3 Radiance(const Hit& hit) const
@@ -92,6 +103,8 @@ private:
     const double along = std::sqrt(std::max(aa, LeastVariance));
     const double skewed = ab / along;
     const double across = std::sqrt(std::max(0.0, s.xx + s.yy - aa - skewed * skewed));
+    // Across, a pair of nodes at a place drawn by lot, so that no second image of a hill shows; its mean square is 1.
+    const double aside = 1.7320508075688772 * hit.Lot * across;
     Vector3 sum{ 0, 0, 0 };
     double seen = 0;
     for (int i = 0; i < 5; ++i)
@@ -99,7 +112,7 @@ private:
       for (const double side : { -1.0, 1.0 })
       {
         const double sa = along * Along[i];
-        const double sb = skewed * Along[i] + side * across;
+        const double sb = skewed * Along[i] + side * aside;
         const Vector3 normal = normalOf(s.x + sa * a[0] - sb * a[1], s.y + sa * a[1] + sb * a[0]);
         const double cosine = -dot(normal, hit.Ray);
         if (cosine > 0)
@@ -250,7 +263,7 @@ void vtkCloudWater::Emit(const nephoscope::Camera& camera, nephoscope::DeepTile&
       const double pixel = camera.footprint(distance);
       const Vector3 level = normalized(Vector3{ ray.direction[0], ray.direction[1], 0 });
       const Vector3 across{ -level[1], level[0], 0 };
-      Sea::Hit hit{ ray.origin + distance * ray.direction, ray.direction, {} };
+      Sea::Hit hit{ ray.origin + distance * ray.direction, ray.direction, {}, lotOf(x, y) };
       hit.Slopes =
         sea.Waves.slopes(hit.At[0], hit.At[1], pixel / -ray.direction[2] * level, pixel * across);
       hit.Slopes.xx += LeastVariance;

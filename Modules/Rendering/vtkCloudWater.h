@@ -7,14 +7,14 @@
  *          the cloud plane. Its clouds shade the water and are seen in it.
  *          port 1, optional: vtkImageData of one layer; point array Height, metres times HeightScale: hills that are seen in it.
  * Method   the plane z = Level, with slopes of nephoscope::WaterWaves as a pixel sees them: those it resolves, and the rest as
- *          roughness. Over the rough slopes, by Gauss-Hermite quadrature (5 nodes along the line of sight, 2 across) weighted by the area that the eye sees of each,
+ *          roughness. Over the rough slopes, by Gauss-Hermite quadrature (5 nodes along the line of sight) and by lot across weighted by the area that the eye sees of each,
  *              F (what is reflected) + (1 - F) WaterColor (light of sun and sky),   F by Fresnel with index 1.34
  *          Reflected rays see the Backdrop, the hills in one colour, and the clouds as Max 1986, section 6 has them: where
  *          they meet the cloud plane its transmittance c mixes CloudEdgeColor with CloudCoreColor, and that with the sky behind.
  *          The sun's glitter is pi SunColor c F p / (4 V_z n_z^4), p the density of the slopes that mirror it (Cox and Munk 1954).
  *          Light that comes back out of the water is dimmed by the clouds' shadow.
  * Errors   another image, a sun without direction: vtkErrorMacro, nothing is drawn.
- * Cost     some 3 us a pixel with 48 waves. Thread-safe; the same bits for any number of threads.
+ * Cost     some 3 us a pixel with 72 waves. Thread-safe; the same bits for any number of threads.
  * Limits   waves have slopes but no height: they hide nothing, and a resolved face counts by its place on the plane, not by the area
  *          that the eye sees of it. Rays that are mirrored downward see the horizon.
  *          From below the surface nothing is seen of it.

@@ -52,6 +52,19 @@ class Animate(ProgramTest):
         self.assertEqual((self.folder / "out" / names[1]).read_bytes(), contents[1])
         self.assertEqual((self.folder / "out" / names[0]).stat().st_mtime_ns, before)
 
+    def test_a_cycle_has_no_end(self):
+        # 2 of 4 frames of a cycle are those of a cycle of 2: the last frame is not the first again.
+        words = (ROOT / "Examples" / "Scenes" / "cylinder.yaml").read_text().replace("[1764, 1280]", "[64, 48]")
+        scene = self.folder / "cycle.yaml"
+        scene.write_text(words)
+        contents = {}
+        for frames in (2, 4):
+            self.assert_done(run("animate", scene, "-o", self.folder / str(frames), "--frames", frames))
+            folder = self.folder / str(frames)
+            contents[frames] = [(folder / f"frame-{n:04}.png").read_bytes() for n in range(frames)]
+        self.assertEqual(contents[4][::2], contents[2])
+        self.assertEqual(len(set(contents[4])), 4)
+
     def test_an_interrupt_leaves_whole_frames_and_processes_share(self):
         scene = self.scene()
         words = [PROGRAM, "animate", str(scene), "-o", str(self.folder / "out"), "--frames", "8", "--to", "1"]

@@ -34,6 +34,14 @@ class Render(ProgramTest):
             self.assert_done(done)
             self.assertGreater(cloudy_share(path), 0.03, style)
 
+    def test_each_landscape_of_the_examples(self):
+        for name in ("scattered-clouds", "from-above", "dense-clouds-over-hills", "hole-in-the-clouds", "cylinder"):
+            scene = ROOT / "Examples" / "Scenes" / (name + ".yaml")
+            done, path = self.render(name + ".png", scene, "--size", "96x72")
+            self.assert_done(done)
+            self.assertEqual(done.stderr, "")
+            self.assertGreater(cloudy_share(path), 0.03, name)
+
     def test_real_data(self):
         if not SHARED.exists():
             self.skipTest("no folder " + str(SHARED))

@@ -87,8 +87,8 @@ private:
       this->Moving = std::make_unique<MovingScene>(
         this->Parts, this->Options.from, this->Options.to, this->Watch);
     }
-    const double moment =
-      this->Options.frames > 1 ? static_cast<double>(frame) / (this->Options.frames - 1) : 0;
+    const int steps = this->Options.frames - (this->Parts.animation.cycle ? 0 : 1);
+    const double moment = steps > 0 ? static_cast<double>(frame) / steps : 0;
     const BuiltScene built = this->Moving->at(moment);
     built.scape->ComputeDepthOff(); // a PNG has none
     this->Watch.watch(built.scape, this->label(frame));

@@ -97,6 +97,7 @@ void move(const Scene& scene, std::optional<Value> Keyframe::*key, double moment
 Scene sceneAt(const Scene& scene, double moment)
 {
   Scene now = scene;
+  now.moment = moment;
   move(scene, &Keyframe::longitude, moment, now.camera.longitude);
   move(scene, &Keyframe::latitude, moment, now.camera.latitude);
   move(scene, &Keyframe::bearing, moment, now.camera.bearing);

@@ -70,6 +70,7 @@ struct Animation
 {
   std::string motion = "smooth";
   std::optional<double> restartPeriod; ///< h
+  bool cycle = false; ///< the frame after the last is the first
 };
 
 struct Light
@@ -155,6 +156,7 @@ struct WaterBody
   double wind = 5;       ///< m/s
   double direction = 70; ///< degrees, where the wind blows to
   double wavelength = 40;
+  double duration = 0; ///< s
   Triple color{ 0.008, 0.03, 0.04 };
 };
 
@@ -174,7 +176,10 @@ struct HeightFieldBody
   int seed = 1;
   Triple extinction{ 9.3, 16.3, 19.8 }; ///< 1/km
   double asymmetry = 0;
-  double far = 50; ///< km
+  double far = 50;     ///< km
+  double shadows = 40; ///< km
+  double sunlight = 1;
+  std::array<double, 2> travel{ 0, 0 }; ///< m
   std::string method = "Moments";
 };
 
@@ -214,6 +219,7 @@ struct Scene
   std::vector<Keyframe> keyframes; ///< in rising order
   std::vector<Body> bodies;
   std::vector<Medium> media;
+  double moment = 0; ///< of the animation, 0 to 1; not a key
 };
 
 /// The scene of a style for a data file: surface, texture or volume, with ground under it.

@@ -51,6 +51,9 @@ bool isSurface(const Body& body)
 // A density emitter shows no more of a cloud than an optical depth of about 3; a model's clouds have 10 to 100.
 constexpr double CondensateScale = 0.05;
 
+// Fine enough that the moment of any frame is one of these.
+constexpr int MomentsOfCycle = 352800;
+
 // Optical depth of the haze between the eye and the middle of regional clouds.
 constexpr double HazeDepth = 0.2;
 
@@ -164,6 +167,8 @@ public:
     water->SetWind(std::sin(direction), std::cos(direction), 0);
     water->SetWavelength(body.wavelength);
     water->SetWaterColor(body.color.data());
+    water->SetTime(this->Parts.moment * body.duration);
+    water->SetPeriod(this->Parts.animation.cycle ? body.duration : 0);
     water->SetBackdrop(this->Built.scape->GetBackdrop());
     this->light(water);
     this->Built.scape->AddBody(water);
@@ -185,6 +190,9 @@ public:
     shape->SetShortening(body.shortening);
     shape->SetSmoothness(body.smoothness);
     shape->SetSeed(body.seed);
+    shape->SetCycleVector(body.travel.data());
+    shape->SetFrames(MomentsOfCycle);
+    shape->SetFrame(static_cast<int>(std::lround(this->Parts.moment * MomentsOfCycle)));
     const vtkNew<vtkCloudHeightField> clouds;
     clouds->SetInputConnection(shape->GetOutputPort());
     clouds->SetMethod(body.method);
@@ -194,10 +202,13 @@ public:
     clouds->SetAsymmetry(body.asymmetry);
     clouds->SetFarDistance(body.far * 1000);
     this->light(clouds);
+    double sun[3];
+    clouds->GetSunColor(sun);
+    clouds->SetSunColor(body.sunlight * sun[0], body.sunlight * sun[1], body.sunlight * sun[2]);
     this->Built.scape->AddBody(clouds);
     const auto shadow = vtkSmartPointer<vtkCloudHeightFieldShadow>::New();
     shadow->SetInputConnection(shape->GetOutputPort());
-    shadow->SetExtinction(body.extinction[0] / 1000);
+    this->placeShadow(shadow, body);
     this->Shadow = shadow;
   }
 
@@ -241,6 +252,7 @@ private:
   void addGround(vtkCloudGround* ground, const Ground& look);
   void addHaze(double extinction, const Triple& color);
   void joinLandscape();
+  void placeShadow(vtkCloudHeightFieldShadow* shadow, const HeightFieldBody& body);
   void light(vtkCloudLitBody* body);
   void requireGeometry(bool fits, const std::string& ground, const std::string& other) const;
 
@@ -256,6 +268,20 @@ private:
   std::vector<vtkSmartPointer<vtkCloudWater>> Waters;
   std::vector<std::pair<vtkSmartPointer<vtkCloudBody>, int>> Shaded; // and the port for the shadow
 };
+
+/// The shadow of the clouds about the eye.
+void Builder::placeShadow(vtkCloudHeightFieldShadow* shadow, const HeightFieldBody& body)
+{
+  constexpr int Points = 1601;
+  const double spacing = 1000 * body.shadows / (Points - 1);
+  double eye[3];
+  this->Built.scape->GetCamera()->GetPosition(eye);
+  shadow->SetExtinction(body.extinction[0] / 1000);
+  shadow->SetDimensions(Points, Points);
+  shadow->SetSpacing(spacing);
+  // Points of the plane that stand still when the eye moves.
+  shadow->SetCenter(spacing * std::round(eye[0] / spacing), spacing * std::round(eye[1] / spacing));
+}
 
 /// Bodies may stand in any order in a scene: what sees others is told of them at the end.
 void Builder::joinLandscape()

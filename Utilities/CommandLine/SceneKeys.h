@@ -107,6 +107,8 @@ void visitKeys(Animation& animation, Visitor&& visit)
           "stretched, long lets them fade less",
           "until the wind has stretched them twofold", 0.1, 1e5 },
     animation.restartPeriod);
+  visit(Key{ "cycle", "", "the frame after the last is the first: a film without end", "false" },
+    animation.cycle);
 }
 
 template <class Visitor>
@@ -247,6 +249,8 @@ void visitKeys(WaterBody& body, Visitor&& visit)
   visit(Key{ "direction", "degrees", "compass direction where the wind blows to", "70", -360, 360 },
     body.direction);
   visit(Key{ "wavelength", "m", "longest wave", "40", 0.1, 1000 }, body.wavelength);
+  visit(Key{ "duration", "s", "of an animation, for the waves; 0: they stand still", "0", 0, 1e6 },
+    body.duration);
   visit(
     Key{ "color", "linear RGB", "reflectance of the water's depth", "[0.008, 0.03, 0.04]", 0, 1 },
     body.color);
@@ -280,6 +284,15 @@ void visitKeys(HeightFieldBody& body, Visitor&& visit)
   visit(Key{ "asymmetry", "1", "mean cosine of the scattering angle", "0", -0.95, 0.95 },
     body.asymmetry);
   visit(Key{ "far", "km", "distance where clouds end", "50", 0.01, 1e4 }, body.far);
+  visit(Key{ "shadows", "km",
+          "width of the square about the eye in which shadows are drawn; beyond it is their mean",
+          "40", 1, 1e3 },
+    body.shadows);
+  visit(
+    Key{ "sunlight", "1", "factor on the sun's light in the clouds", "1", 0, 1e3 }, body.sunlight);
+  visit(Key{ "travel", "m", "in an animation, the way of the waves from its beginning to its end",
+          "[0, 0]", -1e7, 1e7 },
+    body.travel);
   visit(Key{ "method", "", "of the scattering; Moments is fast, Exact the reference", "Moments", {},
           {}, { "Moments", "Exact", "March", "Sexp1986" } },
     body.method);

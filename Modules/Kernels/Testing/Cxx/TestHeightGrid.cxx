@@ -69,6 +69,8 @@ TEST(GridPyramid, WidestFootprintIsTheMean)
     }
   }
   EXPECT_NEAR(grid.value(5, 5, 1e9), mean, 1e-5);
+  EXPECT_NEAR(grid.mean(), mean, 1e-12);
+  EXPECT_EQ(GridPyramid().mean(), 0);
 }
 
 TEST(GridPyramid, EdgeGoesOnAndWhatIsNotFiniteIsZero)
@@ -156,6 +158,8 @@ TEST(CloudShadow, LiesWhereTheRayTowardsTheSunMeetsThePlane)
   EXPECT_EQ(shadow.at({ 4, 2, 101 }, toward), 1) << "above the clouds";
   EXPECT_EQ(shadow.at({ 4, 2, 0 }, { 1, 0, 0 }), 1) << "the sun is level";
   EXPECT_EQ(shadow.at({ 40, 2, 0 }, toward), 1) << "no clouds there";
+  const CloudShadow going{ shadow.transmittance, 100, 0.3 };
+  EXPECT_EQ(going.at({ 40, 2, 0 }, toward), 0.3);
   EXPECT_EQ(CloudShadow().at({ 0, 0, 0 }, toward), 1);
 }
 

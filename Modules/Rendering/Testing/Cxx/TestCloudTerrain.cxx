@@ -92,6 +92,20 @@ TEST_F(CloudTerrain, CloudsTakeTheSunAndLeaveTheSky)
   EXPECT_GT(dark, 2);
 }
 
+TEST_F(CloudTerrain, CloudsGoOnBeyondTheirMapAsTheyAreInTheMean)
+{
+  this->Hills->SetAmbient(0);
+  this->Draw({ this->Hills });
+  const double lit = this->Radiance(58, 25);
+  // Nothing of this map lies over the ground that is seen; half of it is dark.
+  vtkSmartPointer<vtkImageData> map = imageOf(
+    nephoscope::arrays::SunTransmittance, 0.5, [](double x, double) { return x < -0.1 ? 0 : 1; });
+  map->SetOrigin(-5e3, 0, 0.5);
+  this->Hills->SetInputDataObject(1, map);
+  this->Draw({ this->Hills });
+  EXPECT_NEAR(this->Radiance(58, 25) / lit, 0.5, 0.05);
+}
+
 TEST_F(CloudTerrain, HillsStandInTheSun)
 {
   // A wall at x < -1, 2 high, shades the ground to its east under a sun in the west, 45 degrees high.
