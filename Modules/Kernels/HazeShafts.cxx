@@ -41,12 +41,6 @@ void crossings(double o, double d, int last, double near, double far, std::vecto
 }
 }
 
-double henyeyGreenstein(double cosine, double g)
-{
-  const double base = std::max(1 + g * g - 2 * g * cosine, 1e-12);
-  return (1 - g * g) / (4 * Pi * base * std::sqrt(base));
-}
-
 /// A stretch of a ray in one channel, seen from the cloud plane.
 struct HazeShafts::Track
 {

@@ -41,9 +41,6 @@ namespace nephoscope
 {
 using Channels = std::array<double, 3>;
 
-/// Henyey and Greenstein's phase function, its integral over all directions 1; cosine 1 is straight on, g > 0 scatters forward.
-double henyeyGreenstein(double cosine, double g);
-
 enum class HazeMethod
 {
   Exact,

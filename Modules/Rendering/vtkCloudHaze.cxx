@@ -5,6 +5,7 @@
 #include "DeepTile.h"
 #include "HazeShafts.h"
 #include "ImageGrid.h"
+#include "PhaseFunction.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -126,7 +127,7 @@ void vtkCloudHaze::Emit(const nephoscope::Camera& camera, nephoscope::DeepTile& 
       }
       const nephoscope::Channels glow = air.Shafts->glow(method, ray, stretch, this->Step);
       const double phase = vtkMath::Pi() *
-        nephoscope::henyeyGreenstein(dot(ray.direction, air.TowardSun), this->Anisotropy);
+        nephoscope::henyeyGreenstein(this->Anisotropy, dot(ray.direction, air.TowardSun));
       nephoscope::Segment haze;
       haze.nearEnd = stretch.near;
       haze.farEnd = stretch.far;

@@ -12,7 +12,6 @@ using nephoscope::GridFrame;
 using nephoscope::GridPyramid;
 using nephoscope::HazeMethod;
 using nephoscope::HazeShafts;
-using nephoscope::henyeyGreenstein;
 using nephoscope::Ray;
 using nephoscope::Vector3;
 
@@ -55,26 +54,6 @@ Ray rayOf(double x, double y, double z)
 
 const std::vector<Ray> Rays{ rayOf(0.3, 1, 0.1), rayOf(-1, 0.2, 0.3), rayOf(0.1, -1, 0),
   rayOf(0.7, 0.7, 2), rayOf(-0.2, 1, -0.02), rayOf(0, 1, 0.02) };
-}
-
-TEST(HenyeyGreenstein, IsNormalisedAndHasItsMeanCosine)
-{
-  for (double g : { -0.6, 0.0, 0.5, 0.85 })
-  {
-    double sum = 0;
-    double mean = 0;
-    const int n = 200000;
-    for (int k = 0; k < n; ++k)
-    {
-      const double cosine = -1 + (2 * k + 1.0) / n;
-      sum += henyeyGreenstein(cosine, g) * 4 * std::acos(-1.0) / n;
-      mean += henyeyGreenstein(cosine, g) * cosine * 4 * std::acos(-1.0) / n;
-    }
-    EXPECT_NEAR(sum, 1, 1e-6);
-    EXPECT_NEAR(mean, g, 1e-6);
-  }
-  EXPECT_GT(henyeyGreenstein(1, 0.7), henyeyGreenstein(-1, 0.7)) << "scatters straight on";
-  EXPECT_TRUE(std::isfinite(henyeyGreenstein(1, 1)));
 }
 
 TEST(HazeShafts, WithoutCloudsHasTheClosedForm)

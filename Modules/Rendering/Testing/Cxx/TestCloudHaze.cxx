@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "HazeShafts.h"
 #include "HorizontalImage.h"
+#include "PhaseFunction.h"
 #include "RenderingTest.h"
 #include "vtkCloudHaze.h"
 #include "vtkCloudPlane.h"
@@ -28,7 +28,7 @@ protected:
     const double eps = tau * (1 - ray.direction[2] / sine);
     const nephoscope::Vector3 sun{ 1.0 / 3, 2.0 / 3, 2.0 / 3 };
     const double source = this->Haze->GetSunColor()[c] * this->Haze->GetAlbedo()[c] *
-      std::acos(-1.0) * nephoscope::henyeyGreenstein(dot(ray.direction, sun), 0.6);
+      std::acos(-1.0) * nephoscope::henyeyGreenstein(0.6, dot(ray.direction, sun));
     return source * tau * std::exp(-3 * tau / sine) * -std::expm1(-eps * far) / eps -
       this->Haze->GetSkyColor()[c] * std::expm1(-tau * far);
   }
