@@ -70,7 +70,7 @@ struct Animation
 {
   std::string motion = "smooth";
   std::optional<double> restartPeriod; ///< h
-  bool cycle = false; ///< the frame after the last is the first
+  bool cycle = false;                  ///< the frame after the last is the first
 };
 
 struct Light
