@@ -22,7 +22,6 @@
 namespace
 {
 using Pipeline = vtkStreamingDemandDrivenPipeline;
-constexpr double Pi = 3.14159265358979323846;
 constexpr double Radius = Atmosphere::Radius;
 constexpr double Hour = Atmosphere::Hour;
 
