@@ -45,15 +45,16 @@ public:
     }
   }
 
-  float* Places[2];  ///< of tops, of bottoms
-  float* Normals[2]; ///< the same
-  unsigned char* Covered;
+  float* Places[2] = { nullptr, nullptr };  ///< of tops, of bottoms
+  float* Normals[2] = { nullptr, nullptr }; ///< the same
+  unsigned char* Covered = nullptr;
 
 private:
   void Make(vtkIdType point)
   {
+    const vtkIdType row = point / this->Across;
     const double x = this->X0 + this->Dx * static_cast<double>(point % this->Across);
-    const double y = this->Y0 + this->Dy * static_cast<double>(point / this->Across);
+    const double y = this->Y0 + this->Dy * static_cast<double>(row);
     const nephoscope::HeightGradient f = this->Field.gradient(x, y);
     this->Covered[point] = f.value > 0 ? 1 : 0;
     const nephoscope::HeightGradient heights[2] = { this->Field.top(f), this->Field.bottom(f) };
