@@ -24,6 +24,7 @@ inline constexpr const char* Temperature = "Temperature";           ///< 1 compo
 inline constexpr const char* SpecificHumidity = "SpecificHumidity"; ///< 1 component, kg/kg
 inline constexpr const char* PotentialTemperature =
   "PotentialTemperature"; ///< 1 component, K; only if it was asked for
+inline constexpr const char* Extinction = "Extinction"; ///< 1 component, 1/m, >= 0
 inline constexpr const char* SourceColor =
   "SourceColor"; ///< 3 components, linear RGB, >= 0: radiance of cloud so thick that nothing shows through, over its body's colour
 

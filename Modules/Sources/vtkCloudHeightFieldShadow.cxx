@@ -2,10 +2,8 @@
 #include "vtkCloudHeightFieldShadow.h"
 
 #include "CloudArrays.h"
-#include "Cumulus.h"
+#include "HeightFieldInput.h"
 #include "vtkDataObject.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -47,18 +45,10 @@ int vtkCloudHeightFieldShadow::RequestData(
                                 << " is not above 0.");
     return 0;
   }
-  vtkDataObject* const input = vtkDataObject::GetData(inputs[0]);
-  auto* const numbers = vtkDoubleArray::SafeDownCast(
-    input->GetFieldData()->GetAbstractArray(nephoscope::arrays::HeightField));
   nephoscope::HeightFieldShape shape;
   double plane = 0;
-  if (!numbers ||
-    !nephoscope::shapeOf(
-      numbers->GetPointer(0), static_cast<std::size_t>(numbers->GetNumberOfValues()), shape, plane))
+  if (!readHeightField(this, inputs, shape, plane))
   {
-    vtkErrorMacro("The input has no field data array " << nephoscope::arrays::HeightField
-                                                       << " of a height field; connect a "
-                                                          "vtkCloudHeightFieldSource.");
     return 0;
   }
   vtkImageData* const image = vtkImageData::GetData(outputs);

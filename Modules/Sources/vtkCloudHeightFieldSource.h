@@ -3,8 +3,8 @@
  * @class vtkCloudHeightFieldSource
  * @brief Made-up clouds between two height functions (Max 1986 section 2), as numbers and as surfaces.
  *
- * Output   vtkPolyData with the field data array HeightField (double), by which vtkCloudHeightField and vtkCloudHeightFieldShadow know
- *          the clouds. With Dimensions of 2 x 2 or more also the surfaces, for any renderer: quadrangles of the tops, then of the
+ * Output   vtkPolyData with the field data array HeightField (double), by which vtkCloudHeightField, vtkCloudHeightFieldShadow and
+ *          vtkCloudHeightFieldVolume know the clouds. With Dimensions of 2 x 2 or more also the surfaces, for any renderer: quadrangles of the tops, then of the
  *          bottoms, over the grid cells where a corner has F > 0, with point normals (float) outwards; heights below the
  *          edge are held at the cloud plane. Points are distances in metres, z up.
  * Parameters: see the setters.
@@ -14,7 +14,7 @@
  * Errors   a number that is no number or out of its range: vtkErrorMacro, an empty output.
  * Cost     nothing for the numbers; some 0.5 us a point of the surfaces, in parallel; the same bits for any number of threads.
  * Limits   surfaces are jagged by a grid cell at the clouds' edges, where they have a vertical tangent.
- * @sa vtkCloudHeightField, vtkCloudHeightFieldShadow, nephoscope::HeightField, nephoscope::Cumulus
+ * @sa vtkCloudHeightField, vtkCloudHeightFieldShadow, vtkCloudHeightFieldVolume, nephoscope::HeightField, nephoscope::Cumulus
  */
 #ifndef vtkCloudHeightFieldSource_h
 #define vtkCloudHeightFieldSource_h
