@@ -11,6 +11,10 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 /// What lies behind this much haze does not count.
 constexpr double Thickest = 40;
+/// Sines of the sun's elevation up to this are those of the horizon: its light would come 1e9 times the depth far.
+constexpr double Horizon = 1e-9;
+/// Samples, below which pieces' moments about their middles would be lost in the rounding of their sums' differences.
+constexpr double Shortest = 0.1;
 
 /// int_0^d (a + b x) (r + x)^k dx for k = 0, 1, 2.
 void addLinear(double a, double b, double r, double d, double m[3])
@@ -66,6 +70,10 @@ HazeShafts::HazeShafts(const CloudShadow& clouds, const Vector3& towardSun, cons
   for (double& tau : this->Extinction)
   {
     tau = tau > 0 && std::isfinite(tau) ? tau : 0;
+  }
+  if (!(this->TowardSun[2] > Horizon))
+  {
+    this->TowardSun[2] = std::min(this->TowardSun[2], 0.0);
   }
   const double way = this->TowardSun[2] > 0 ? (clouds.height - eye[2]) / this->TowardSun[2] : 0;
   this->R0[0] = eye[0] + way * this->TowardSun[0];
@@ -243,8 +251,11 @@ double HazeShafts::moments(const Track& track) const
   const double e = track.decay;
   const int pieces = 1 + static_cast<int>(2 * std::abs(e) * (track.far - near));
   const double half = (track.far - near) / (2 * pieces);
-  // Samples a scene unit; a look at the sun stays in one place, where a millionth of a sample is as good.
-  const double speed = std::max(std::hypot(track.dx, track.dy) / this->Sample, 1e-6 / half);
+  const double speed = std::hypot(track.dx, track.dy) / this->Sample; // samples a scene unit
+  if (!(2 * half * speed > Shortest))
+  {
+    return this->exact(track); // a look at the sun or a thick fog, which cross few grid lines
+  }
   // int (t - middle)^k exp(-e (t - middle)) by the quadratic that is nearest to the exponential.
   const double x2 = half * e * half * e;
   const double q[3] = { 1, -e * (1 + x2 / 8) / speed, e * e / (2 * speed * speed) };

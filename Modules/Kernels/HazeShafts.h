@@ -19,11 +19,11 @@
  *   Moments   tabulates c's running moments int c r^k dr, k = 0, 1, 2, for `radials` directions once, from grid samples as wide as the
  *             raster there; a ray is cut in pieces of eps length at most 1/2, in each of which the exponential is the quadratic
  *             that is nearest (error below 7e-4 of it); directions between two radials are interpolated. A piece costs the
- *             same however long it is.
+ *             same however long it is. Rays of pieces below a tenth of a sample (towards the sun; thick fog) are summed as by Exact.
  *   March     midpoints of equal steps along the ray, the plain way
  *   Exact     5-point Gauss quadrature between the grid lines that the track crosses, where c is smooth
  *
- * Stretches are cut to what lies below the plane; if the sun is not above the horizon nothing is lit. Finite input gives
+ * Stretches are cut to what lies below the plane; if the sun is not above the horizon (sine at most 1e-9) nothing is lit. Finite input gives
  * finite results.
  *
  * @sa CloudShadow.h, vtkCloudHaze, TestHazeShafts.cxx

@@ -31,7 +31,7 @@ struct Outcome
 
 struct StabilityCase
 {
-  std::string group;     ///< "advection", "contour", "volume", "optics", "fit"
+  std::string group; ///< "advection", "contour", "volume", "optics", "fit", "height field", "haze"
   std::string situation; ///< what is hard
   std::string defined;   ///< the answer that is asked for
   std::function<Outcome()> run;

@@ -62,11 +62,11 @@ double sizeOf(const Situation& s, Study::Kind kind)
 
 const char* errorLabel(const std::string& group)
 {
-  return group == "contour" ? "RMS error of cloud fraction over the surface"
-    : group == "advection"  ? "RMS error of position, m of the scene"
-    : group == "order"      ? "RMS error of radiance"
-    : group == "scattering" ? "Median relative error of light"
-                            : "RMS error of transmittance";
+  return group == "contour"                    ? "RMS error of cloud fraction over the surface"
+    : group == "advection"                     ? "RMS error of position, m of the scene"
+    : group == "order"                         ? "RMS error of radiance"
+    : group == "scattering" || group == "haze" ? "Median relative error of light"
+                                               : "RMS error of transmittance";
 }
 
 LogChart speedAndAccuracy(const Study& study, const std::vector<Measurement>& measured)
@@ -198,6 +198,8 @@ std::vector<Study> studies(bool quick, int threads)
       accuracy },
     { "scattering", "scattering", Study::SpeedAndAccuracy, grids({ grid }, picture, threads),
       accuracy },
+    { "haze", "haze", Study::SpeedAndAccuracy, grids({ grid }, picture, threads),
+      { 3, quick ? 0.2 : 2.0, true } },
     { "contour-cells", "contour", Study::GrowthWithCells, grids(sizes, picture, threads), growing },
     { "volume-cells", "volume", Study::GrowthWithCells, grids(sizes, picture, threads), growing },
     { "volume-pixels", "volume", Study::GrowthWithPixels, pictures, growing },

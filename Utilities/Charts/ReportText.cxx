@@ -145,6 +145,7 @@ std::string titleOf(const Study& study)
     : study.group == "advection"                    ? "A step of trajectories on a turning globe"
     : study.group == "order"                        ? "Orders of cells in volume pictures"
     : study.group == "scattering" ? "Sunlight scattered once in height-field clouds"
+    : study.group == "haze"       ? "Shafts of sunlight in haze"
                                   : "Volume pictures of a gridded cloud field";
   switch (study.kind)
   {
@@ -169,6 +170,11 @@ std::string subtitleOf(const Study& study, const std::vector<Measurement>& measu
   if (study.group == "scattering")
   {
     return "12 slices of " + std::to_string(s.pixels[1]) + " rays from below, one thread";
+  }
+  if (study.group == "haze")
+  {
+    return std::to_string(s.pixels[0] / 8) + " x " + std::to_string(s.pixels[1] / 8) +
+      " rays from below, one thread; the first run makes the table of Moments";
   }
   text += ", " + std::to_string(s.threads) + (s.threads == 1 ? " thread" : " threads");
   std::size_t leftOut = 0;

@@ -186,8 +186,9 @@ TEST(HazeShafts, EndsAtTheCloudPlane)
 TEST(HazeShafts, ExtremesGiveNumbers)
 {
   const CloudShadow clouds = cloudsOf(scattered);
-  for (const Vector3& sun : { Vector3{ 0, 0, 1 }, Vector3{ 1, 0, 1e-3 }, Vector3{ 0, 1, 0 },
-         Vector3{ 0, 0, -1 }, Vector3{ 0.3, 1, 0.1 } })
+  for (const Vector3& sun :
+    { Vector3{ 0, 0, 1 }, Vector3{ 1, 0, 1e-3 }, Vector3{ 0, 1, 0 }, Vector3{ 0, 0, -1 },
+      Vector3{ 0.3, 1, 0.1 }, Vector3{ 1, 0, 5e-324 }, Vector3{ 1, 0, 1e-300 } })
   {
     for (const Channels& tau :
       { Channels{ 0, 0, 0 }, Channels{ 1e6, 1e-9, 0 }, Channels{ std::nan(""), -1, 5 } })
