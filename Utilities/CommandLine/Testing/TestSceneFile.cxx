@@ -186,6 +186,32 @@ TEST(SceneFile, LengthsAndRadiancesStayWhereTheirSquaresAreFinite)
     failureOf("backdrop: { zenith: [1e308, 0, 0] }").find("from 0 to 1e+06"), std::string::npos);
 }
 
+TEST(SceneFile, NonsenseInLandscapesIsRefused)
+{
+  const std::pair<const char*, const char*> wrong[] = {
+    { "media: [{ type: haze, extinction: [-1, 0, 0] }]",
+      "'extinction' is -1; it must be from 0 to 1e+06" },
+    { "media: [{ type: haze, extinction: [.nan, 0, 0] }]",
+      "'extinction' must be a number, in 1/km, RGB" },
+    { "media: [{ type: haze, step: 0 }]", "'step' is 0; it must be from 0.001 to 1e+06" },
+    { "media: [{ type: haze, anisotropy: 1 }]",
+      "'anisotropy' is 1; it must be from -0.99 to 0.99" },
+    { "media: [{ type: haze, method: fast }]", "'method' cannot be 'fast'; did you mean 'exact'?" },
+    { "bodies: [{ type: terrain, extent: 0 }]", "'extent' is 0; it must be from 0.01 to 10000" },
+    { "bodies: [{ type: terrain, relief: .inf }]", "'relief' must be a number, in m" },
+    { "bodies: [{ type: water, wavelength: 0 }]",
+      "'wavelength' is 0; it must be from 0.1 to 1000" },
+    { "bodies: [{ type: heightField, waves: 1e9 }]", "'waves' is 1e+09; it must be from 1 to 64" },
+    { "bodies: [{ type: heightField, cover: 2 }]", "'cover' is 2; it must be from 0 to 1" },
+    { "bodies: [{ type: heightField, wavelength: 0 }]",
+      "'wavelength' is 0; it must be from 1 to 1e+06" },
+  };
+  for (const auto& [scene, message] : wrong)
+  {
+    EXPECT_EQ(failureOf(scene), std::string("folder/scene.yaml:1: ") + message);
+  }
+}
+
 TEST(SceneFile, IsOneDocumentWithMappingsAsParts)
 {
   EXPECT_NE(failureOf("a: 1\n---\nb: 2\n").find("holds 2 YAML documents"), std::string::npos);
