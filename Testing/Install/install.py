@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """The install tree serves others: a C++ project that finds the package builds and runs, and Python imports it, from a
-prefix that was moved after installation (no path of the build tree is left in it)."""
+prefix that was moved after installation (no path of the build tree is left in it). Its calibrations are found there too."""
 import argparse
 import os
 import pathlib
@@ -25,7 +25,7 @@ def build_consumer(arguments, prefix, folder):
     run(arguments.cmake, "-S", source, "-B", folder / "consumer", "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}",
         f"-DCMAKE_CXX_COMPILER={arguments.compiler}", f"-DCMAKE_CXX_COMPILER_LAUNCHER={arguments.launcher}")
     run(arguments.cmake, "--build", folder / "consumer")
-    run(folder / "consumer" / "consumer")
+    run(folder / "consumer" / "consumer", os.path.realpath(prefix))
 
 
 def import_package(arguments, prefix):

@@ -11,3 +11,9 @@ install(FILES
   "${CMAKE_BINARY_DIR}/CMakeFiles/install/nephoscope-config.cmake"
   "${CMAKE_BINARY_DIR}/CMakeFiles/install/nephoscope-config-version.cmake"
   DESTINATION "${Nephoscope_CMAKE_DESTINATION}")
+
+# The calibrations, which CalibrationPath.h finds in either tree.
+set(calibrations "${CMAKE_INSTALL_DATADIR}/nephoscope/Calibration")
+file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_DATADIR}/nephoscope")
+file(CREATE_LINK "${PROJECT_SOURCE_DIR}/Data/Calibration" "${CMAKE_BINARY_DIR}/${calibrations}" SYMBOLIC)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/Data/Calibration" DESTINATION "${CMAKE_INSTALL_DATADIR}/nephoscope")

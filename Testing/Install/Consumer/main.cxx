@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A haze of optical depth 1 before an opaque wall of radiance 1: the wall arrives attenuated by exp(-1).
 // And a cloudscape without bodies: all of the black backdrop gets through.
+// And the calibrations are those of the library's own tree, the argument.
+#include "CalibrationFile.h"
+#include "CalibrationPath.h"
 #include "CloudArrays.h"
 #include "Segment.h"
 #include "vtkCloudscape.h"
@@ -13,8 +16,9 @@
 
 #include <cmath>
 #include <cstdio>
+#include <string>
 
-int main()
+int main(int, char** arguments)
 {
   const nephoscope::RGB wall{ nephoscope::Opaque, nephoscope::Opaque, nephoscope::Opaque };
   nephoscope::Segment segments[] = { { 5, 5, wall, { 1, 1, 1 } },
@@ -31,5 +35,12 @@ int main()
     cloudscape->GetOutput()->GetPointData()->GetArray(nephoscope::arrays::Transmittance);
   const double transmittance = through ? through->GetComponent(5, 0) : 0;
   std::printf("%g of the backdrop arrives\n", transmittance);
-  return std::abs(arrived - std::exp(-1.0)) < 1e-6 && transmittance == 1 ? 0 : 1;
+
+  const std::string path = nephoscope::calibrationPath("slab");
+  std::printf("constants of %s\n", path.c_str());
+  const bool own = path.rfind(arguments[1], 0) == 0;
+  return own && nephoscope::readCalibration(path).what == "slab" &&
+      std::abs(arrived - std::exp(-1.0)) < 1e-6 && transmittance == 1
+    ? 0
+    : 1;
 }
