@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ColumnGrid.h"
 
+#include "ArcTangent.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -58,6 +60,10 @@ void ColumnGrid::Axis::set(std::vector<double> values)
   {
     return;
   }
+  for (int k = 0; k + 1 < n; ++k)
+  {
+    this->Inverse.push_back(1 / (this->rising(k + 1) - this->rising(k)));
+  }
   // As many equal bins as intervals; each knows the interval of its lower end.
   this->First = this->rising(0);
   this->Scale = (n - 1) / (this->rising(n - 1) - this->First);
@@ -70,22 +76,6 @@ void ColumnGrid::Axis::set(std::vector<double> values)
     }
     this->Guess[bin] = k;
   }
-}
-
-int ColumnGrid::Axis::interval(double at) const
-{
-  const int n = static_cast<int>(this->Rising.size());
-  const double bin = std::min(std::max((at - this->First) * this->Scale, 0.0), n - 1.0);
-  int k = this->Guess[static_cast<int>(bin)];
-  while (k > 0 && this->rising(k) > at)
-  {
-    --k;
-  }
-  while (k < n - 2 && this->rising(k + 1) <= at)
-  {
-    ++k;
-  }
-  return k;
 }
 
 ColumnGrid ColumnGrid::sphere(std::vector<double> longitudes, std::vector<double> latitudes)
@@ -105,6 +95,10 @@ ColumnGrid ColumnGrid::sphere(std::vector<double> longitudes, std::vector<double
     const bool closed = std::abs(span - 2 * Pi) < 1e-6;
     grid.Periodic = closed || std::abs(span + spacing - 2 * Pi) < 0.5 * spacing;
     grid.Period = closed ? nx - 1 : nx;
+    if (grid.Periodic && !closed)
+    {
+      grid.X.Inverse.push_back(1 / (2 * Pi - span));
+    }
   }
   const int ny = grid.rows();
   if (grid.Periodic && ny >= 4)
@@ -126,6 +120,39 @@ ColumnGrid ColumnGrid::plane(std::vector<double> x, std::vector<double> y)
   return grid;
 }
 
+int ColumnGrid::columnInterval(double& x) const
+{
+  const double first = this->X.rising(0);
+  if (!this->Periodic)
+  {
+    x = std::min(std::max(x, first), this->X.Rising.back());
+    return this->X.interval(x);
+  }
+  if (x < first || x >= first + 2 * Pi)
+  {
+    x -= 2 * Pi * std::floor((x - first) / (2 * Pi));
+  }
+  return x >= this->X.rising(this->Period - 1) ? this->Period - 1 : this->X.interval(x);
+}
+
+ColumnGrid::Between ColumnGrid::betweenColumns(double x) const
+{
+  const int k = this->columnInterval(x);
+  const int next = this->Periodic && k + 1 == this->Period ? 0 : k + 1;
+  const int last = this->columns() - 1;
+  return { this->X.Descending ? last - k : k, this->X.Descending ? last - next : next,
+    (x - this->X.rising(k)) * this->X.Inverse[k] };
+}
+
+ColumnGrid::Between ColumnGrid::betweenRows(double y) const
+{
+  y = std::min(std::max(y, this->Y.Rising.front()), this->Y.Rising.back());
+  const int k = this->Y.interval(y);
+  const int last = this->rows() - 1;
+  return { this->Y.Descending ? last - k : k, this->Y.Descending ? last - k - 1 : k + 1,
+    (y - this->Y.rising(k)) * this->Y.Inverse[k] };
+}
+
 ColumnGrid::Nodes ColumnGrid::nodesOfLongitude(double x, Interpolation interpolation) const
 {
   const int n = this->columns();
@@ -134,20 +161,8 @@ ColumnGrid::Nodes ColumnGrid::nodesOfLongitude(double x, Interpolation interpola
   {
     return { 1, { 0 }, { 1 } };
   }
-  const double first = this->X.rising(0);
-  double whole = 0; // added to the values of columns that lie a circle further on
-  int k;
-  if (this->Periodic)
-  {
-    x -= 2 * Pi * std::floor((x - first) / (2 * Pi));
-    k = x >= this->X.rising(this->Period - 1) ? this->Period - 1 : this->X.interval(x);
-    whole = 2 * Pi;
-  }
-  else
-  {
-    x = std::min(std::max(x, first), this->X.rising(n - 1));
-    k = this->X.interval(x);
-  }
+  const double whole = 2 * Pi; // added to the values of columns that lie a circle further on
+  const int k = this->columnInterval(x);
   nodes.count = interpolation == Interpolation::Cubic && n >= 4 ? 4 : 2;
   int start = nodes.count == 4 ? k - 1 : k;
   if (!this->Periodic)
@@ -198,12 +213,10 @@ ColumnGrid::Nodes ColumnGrid::nodesOfRow(double y, Interpolation interpolation) 
   {
     return { 1, { 0 }, { 1 } };
   }
-  const bool south = y < this->Y.rising(0);
-  const bool north = y > this->Y.rising(n - 1);
   int k;
-  if ((south && this->overSouth()) || (north && this->overNorth()))
+  if (this->isBeyondRows(y))
   {
-    k = south ? -1 : n - 1;
+    k = y < this->Y.rising(0) ? -1 : n - 1;
   }
   else
   {
@@ -237,11 +250,23 @@ void ColumnGrid::locate(
   double y = position[1];
   if (this->Sphere)
   {
-    x = std::atan2(position[1], position[0]);
-    y = std::atan2(position[2], std::sqrt(position[0] * position[0] + position[1] * position[1]));
+    x = arcTangent(position[1], position[0]);
+    y = arcTangent(position[2], std::sqrt(position[0] * position[0] + position[1] * position[1]));
   }
   const int nx = this->columns();
   const int ny = this->rows();
+  if (interpolation == Interpolation::Linear && nx > 1 && ny > 1 && !this->isBeyondRows(y))
+  {
+    const Between across = this->betweenColumns(x);
+    const Between along = this->betweenRows(y);
+    const int row[2] = { nx * along.before, nx * along.after };
+    stencil.count = 4;
+    stencil.column = { row[0] + across.before, row[0] + across.after, row[1] + across.before,
+      row[1] + across.after };
+    stencil.weight = { (1 - along.share) * (1 - across.share), (1 - along.share) * across.share,
+      along.share * (1 - across.share), along.share * across.share };
+    return;
+  }
   const Nodes rows = this->nodesOfRow(y, interpolation);
   const Nodes along = this->nodesOfLongitude(x, interpolation);
   Nodes opposite{};

@@ -15,26 +15,27 @@ struct Motion
   double up = 0;
 };
 
-/// The wind at a fraction of the interval.
+/// The wind at a fraction of the interval. On one of its ends the other end's wind, which may be no number, is not read.
 Motion readMotion(const WindPair& wind, double at, const PointStencil& stencil)
 {
   const double share[2] = { 1 - at, at };
+  const int time[2] = { share[0] == 0 ? 1 : 0, share[1] == 0 ? 0 : 1 };
+  const float* const velocity[2] = { wind.velocity[time[0]], wind.velocity[time[1]] };
   Motion motion;
-  for (int time = 0; time < 2; ++time)
+  for (int n = 0; n < stencil.count; ++n)
   {
-    if (share[time] == 0)
+    const float* const v0 = velocity[0] + 3 * stencil.point[n];
+    const float* const v1 = velocity[1] + 3 * stencil.point[n];
+    for (int c = 0; c < 3; ++c)
     {
-      continue;
+      motion.across[c] += stencil.weight[n] * (share[0] * v0[c] + share[1] * v1[c]);
     }
-    double v[3];
-    read(wind.velocity[time], stencil, v);
-    motion.across = motion.across + share[time] * Vector3{ v[0], v[1], v[2] };
-    if (wind.levelVelocity[time])
-    {
-      double c[1];
-      read(wind.levelVelocity[time], stencil, c);
-      motion.up += share[time] * c[0];
-    }
+  }
+  const float* const up[2] = { wind.levelVelocity[time[0]], wind.levelVelocity[time[1]] };
+  for (int n = 0; n < stencil.count && up[0] && up[1]; ++n)
+  {
+    motion.up +=
+      stencil.weight[n] * (share[0] * up[0][stencil.point[n]] + share[1] * up[1][stencil.point[n]]);
   }
   return motion;
 }
