@@ -44,7 +44,7 @@ inline double arcTangent(double y, double x)
   {
     return 0; // no direction
   }
-  const int n = static_cast<int>(arcTangentTable::Size * ratio + 0.5);
+  const int n = (static_cast<int>(2 * arcTangentTable::Size * ratio) + 1) / 2;
   const double node = n * (1.0 / arcTangentTable::Size);
   const double t = (smaller - node * larger) / (larger + node * smaller);
   const double q = t * t;
