@@ -26,7 +26,7 @@
  *          air blows through it (over a mountain, at a front) is not carried by the wind; see below.
  *
  * Whether carrying is better than fading depends on whether the clouds go with the air. Steps that were left out and interpolated
- * from their neighbours, carried against faded (TestTimeInterpolation.cxx): root mean square error; correlation of the gradients
+ * from their neighbours, carried against faded (`nephoscope chart --interpolation`): root mean square error; correlation of the gradients
  * with the true ones; energy of the gradients over the true one.
  *
  *                                                          error             correlation     energy

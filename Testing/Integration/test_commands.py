@@ -34,6 +34,12 @@ class CommandLine(ProgramTest):
         self.assert_refused(run("rendr"), 2, "'rendr'", "'render'")
         self.assert_refused(run("chrt"), 2, "'chrt'", "'chart'")
 
+    def test_interpolation_needs_files_that_are_there(self):
+        out = self.folder / "chart"
+        self.assert_refused(run("chart", "--interpolation", SAMPLE), 2, "-o DIR")
+        self.assert_refused(run("chart", "-o", out, "--interpolation", "nowhere.nc"), 1, "nowhere.nc")
+        self.assertEqual(self.files(), [])
+
     def test_remedies_are_options(self):
         self.assert_refused(run("info", SAMPLE, "--variable", "Temperature=cl"), 1, "--variable ROLE=NAME")
         self.assert_refused(run("convert", SAMPLE, self.folder / "a.vtp", "--geometry", "local"), 1,

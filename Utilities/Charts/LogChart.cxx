@@ -32,7 +32,10 @@ bool drawable(const ChartPoint& p)
 
 std::string decadeLabel(int exponent)
 {
-  return exponent == 0 ? "1" : exponent == 1 ? "10" : "10^" + std::to_string(exponent);
+  return exponent == 0 ? "1"
+    : exponent == 1    ? "10"
+    : exponent == -1   ? "0.1"
+                       : "10^" + std::to_string(exponent);
 }
 
 /// digit * 10^exponent.
@@ -45,6 +48,10 @@ std::string tickLabel(int digit, int exponent, Unit unit)
     const char* const names[] = { " s", " ms", " µs" };
     return std::to_string(digit) + std::string(static_cast<std::size_t>(zeros), '0') +
       names[prefix];
+  }
+  if (digit != 1 && exponent >= -1 && exponent <= 0)
+  {
+    return (exponent == 0 ? "" : "0.") + std::to_string(digit);
   }
   return digit == 1 ? decadeLabel(exponent) : std::to_string(digit) + "×" + decadeLabel(exponent);
 }

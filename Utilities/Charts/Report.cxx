@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Report.h"
 
+#include "ChartFiles.h"
 #include "LogChart.h"
 #include "ReportText.h"
-#include "SvgDrawing.h"
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
 
 namespace nephoscope
 {
@@ -111,31 +107,6 @@ LogChart growth(const Study& study, const std::vector<Measurement>& measured)
   return chart;
 }
 
-/// Writes beside and then renames, so that no file is ever half there.
-void writeWhole(
-  const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write)
-{
-  const std::filesystem::path beside = path.string() + ".part";
-  write(beside);
-  std::filesystem::rename(beside, path);
-}
-
-void writeText(const std::filesystem::path& path, const std::string& text)
-{
-  writeWhole(path,
-    [&text](const std::filesystem::path& beside)
-    {
-      std::ofstream file(beside, std::ios::binary);
-      file << text;
-      file.close();
-      if (!file)
-      {
-        throw std::runtime_error(
-          "cannot write " + beside.string() + "; is there room on the disk?");
-      }
-    });
-}
-
 std::vector<Measurement> measureStudy(const Study& study, const ReportOptions& options)
 {
   std::vector<Measurement> all;
@@ -161,11 +132,7 @@ void writeChart(
                                                          : growth(study, measured);
   chart.title = titleOf(study);
   chart.subtitle = subtitleOf(study, measured);
-  const std::string svg = drawChart(chart);
-  const std::filesystem::path path = std::filesystem::path(folder) / study.name;
-  writeText(path.string() + ".svg", svg);
-  writeWhole(path.string() + ".png",
-    [&svg](const std::filesystem::path& beside) { writePng(svg, beside.string(), 1.5); });
+  writeChartFiles(chart, folder, study.name);
 }
 }
 
@@ -208,12 +175,7 @@ std::vector<Study> studies(bool quick, int threads)
 
 void writeReport(const ReportOptions& options)
 {
-  std::error_code problem;
-  std::filesystem::create_directories(options.folder, problem);
-  if (problem)
-  {
-    throw std::runtime_error("cannot make the folder " + options.folder + ": " + problem.message());
-  }
+  makeFolder(options.folder);
   std::vector<std::pair<Study, std::vector<Measurement>>> results;
   for (const Study& study : studies(options.quick, options.threads))
   {
