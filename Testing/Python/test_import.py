@@ -3,6 +3,7 @@
 """Every VTK class of the modules is in the package nephoscope and says what it is: test_import.py ROOT rejected=MODULES."""
 import pathlib
 import re
+import subprocess
 import sys
 import unittest
 
@@ -20,15 +21,53 @@ def declared():
     return [name for header in headers for name in CLASS.findall(header.read_text())]
 
 
+def classes():
+    return [name for name in nephoscope.__all__ if name.startswith("vtkCloud")]
+
+
+def python(code):
+    """What a fresh interpreter prints."""
+    return subprocess.run([sys.executable, "-B", "-c", code], check=True, capture_output=True, text=True).stdout
+
+
+class Beside(unittest.TestCase):
+    """The package and VTK's own, in a process of their own."""
+
+    def test_either_order_of_imports(self):
+        use = "; r = nephoscope.vtkCloudNetCDFReader(); s = vtkSphereSource(); c = nephoscope.vtkCloudContour(); " \
+              "c.SetInputConnection(r.GetOutputPort()); s.Update(); print(type(c.GetOutput()).__name__, isinstance(c, vtkPolyDataAlgorithm))"
+        vtk = "from vtkmodules.vtkFiltersSources import vtkSphereSource; from vtkmodules.vtkCommonExecutionModel import vtkPolyDataAlgorithm"
+        whole = "import vtk; vtkSphereSource, vtkPolyDataAlgorithm = vtk.vtkSphereSource, vtk.vtkPolyDataAlgorithm"
+        for imports in (f"import nephoscope; {vtk}", f"{vtk}; import nephoscope", f"import nephoscope; {whole}", f"{whole}; import nephoscope"):
+            with self.subTest(imports):
+                self.assertEqual(python(imports + use), "vtkPolyData True\n")
+
+    def test_what_is_not_asked_for_is_not_loaded(self):
+        loaded = python("import sys, nephoscope; print(*sys.modules)").split()
+        self.assertNotIn("numpy", loaded)
+        self.assertNotIn("vtkmodules.vtkRenderingOpenGL2", loaded)
+        loaded = python("import sys, nephoscope; nephoscope.render; nephoscope.grid; nephoscope.fit; print(*sys.modules)").split()
+        self.assertIn("numpy", loaded)
+        self.assertNotIn("xarray", loaded)
+
+
 class Package(unittest.TestCase):
     def test_every_declared_class_is_there(self):
         self.assertEqual([name for name in declared() if not hasattr(nephoscope, name)], [])
 
     def test_every_class_is_listed(self):
-        self.assertEqual(sorted(declared()), nephoscope.__all__)
+        self.assertEqual(sorted(declared()), classes())
+
+    def test_every_function_is_there_and_explained(self):
+        self.assertNotIn("open", nephoscope.__all__)  # import * leaves Python's own
+        for name in {*nephoscope.__all__, "open"} - set(classes()):
+            self.assertTrue(getattr(nephoscope, name).__doc__, name)
+            self.assertIn(name, dir(nephoscope))
+        with self.assertRaisesRegex(AttributeError, "no attribute 'rendr'"):
+            nephoscope.rendr  # noqa: B018
 
     def test_instances_print_and_know_their_class(self):
-        for name in nephoscope.__all__:
+        for name in classes():
             kind = getattr(nephoscope, name)
             with self.subTest(name):
                 self.assertTrue(issubclass(kind, vtkObjectBase))
