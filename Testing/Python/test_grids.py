@@ -183,7 +183,8 @@ class Places(unittest.TestCase):
         self.assertEqual((geometry(local), local.GetBounds()), ("Local", (5, 15, 45, 52, 0, 12000)))
         with self.subTest("curvilinear"):
             lon, lat = np.meshgrid(LON, LAT)
-            np.testing.assert_array_equal(nephoscope.points(lain(ball(), longitude=lon, latitude=lat)), nephoscope.points(lain(ball())))
+            curved = nephoscope.points(lain(ball(), longitude=lon, latitude=lat))
+            np.testing.assert_array_equal(curved, nephoscope.points(lain(ball())))
 
     def test_map_is_in_metres_on_the_equator(self):
         grid = nephoscope.grid(np.zeros((2, 2, 2)), longitude=[0, 90], latitude=[0, 45], height=[0, 1000], exaggeration=3)
@@ -249,8 +250,8 @@ class Xarray(unittest.TestCase):
 
     def dataset(self):
         attrs = {"lon": {"units": "degrees_east"}, "lat": {"units": "degrees_north"}, "height": {"units": "m"}}
-        coords = {"lon": ("lon", LON, attrs["lon"]), "lat": ("lat", LAT, attrs["lat"]), "height": ("lev", HEIGHT, attrs["height"]),
-                  "time": np.datetime64("1970-01-01T01")}
+        coords = {"lon": ("lon", LON, attrs["lon"]), "lat": ("lat", LAT, attrs["lat"]),
+                  "height": ("lev", HEIGHT, attrs["height"]), "time": np.datetime64("1970-01-01T01")}
         return xarray.Dataset({"CloudFraction": (("lev", "lat", "lon"), ball()),
                                "other": (("lat", "lon", "lev"), np.moveaxis(ball(), 0, -1))}, coords)
 

@@ -118,8 +118,8 @@ def stub_of(module):
     for name, cls in sorted(vars(module).items()):
         if isinstance(cls, type) and issubclass(cls, vtkObjectBase):
             lines += ["", *class_lines(cls, types)]
-    imports = ["from collections.abc import MutableSequence, Sequence", "from typing import Any, overload", *sorted(types.imports)]
-    return HEAD + "\n".join(imports + lines) + "\n"
+    always = ["from collections.abc import MutableSequence, Sequence", "from typing import Any, overload"]
+    return HEAD + "\n".join(always + sorted(types.imports) + lines) + "\n"
 
 
 def package_stub(modules):

@@ -13,8 +13,8 @@ from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutput
 _PLACE = re.compile(r"^(ERROR|Warning|Generic Warning): In [^\n]*, line \d+\n(?:\w+ \((?:0x)?[0-9a-fA-F]+\): )?", re.MULTILINE)
 _AFTERMATH = re.compile(r"returned failure for request|see its own message")
 # A remedy in the words of the classes, in those of the functions.
-_WORDS = {"SetVariableName": "variables={role: name}", "SetInputArrayToProcess": "field=", "SetGeometryToLocal": "geometry='local'",
-          "SetGeometryToMap or SetGeometryToGlobe": "geometry='map' or 'globe'"}
+_WORDS = {"SetVariableName": "variables={role: name}", "SetInputArrayToProcess": "field=",
+          "SetGeometryToLocal": "geometry='local'", "SetGeometryToMap or SetGeometryToGlobe": "geometry='map' or 'globe'"}
 _one_at_a_time = threading.RLock()
 
 

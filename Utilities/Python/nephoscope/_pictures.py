@@ -23,7 +23,7 @@ from ._filters import contour
 from ._grids import dataset_of
 from ._views import Extent, camera_of, toward_sun_of, unit
 from .vtkCloudRendering import (
-    vtkCloudBody, vtkCloudCellVolume, vtkCloudGlobe, vtkCloudGradedBackdrop, vtkCloudGround, vtkCloudLitBody,
+    vtkCloudCellVolume, vtkCloudGlobe, vtkCloudGradedBackdrop, vtkCloudGround, vtkCloudLitBody,
     vtkCloudPictureWriter, vtkCloudPlane, vtkCloudscape, vtkCloudSurface, vtkCloudUniformMedium)
 
 Image = npt.NDArray[np.float32]
@@ -82,7 +82,8 @@ class Picture:
         exposure
             Stops, of a PNG: light is multiplied by 2**exposure. Default 0.
         shoulder
-            How much of a PNG's range is for highlights, 0 to 1: above 1 - shoulder light is bent so that it never clips. Default 0.
+            How much of a PNG's range is for highlights, 0 to 1: above 1 - shoulder light is bent so that it never clips.
+            Default 0.
 
         Raises
         ------
@@ -126,7 +127,8 @@ def set_properties(body: Any, properties: Mapping[str, Any]) -> None:
     for name, value in properties.items():
         if name not in names:
             near = difflib.get_close_matches(name, names, 1)
-            raise TypeError(f"a {body.GetClassName()} has no property '{name}'" + (f"; did you mean '{near[0]}'?" if near else ""))
+            guess = f"; did you mean '{near[0]}'?" if near else ""
+            raise TypeError(f"a {body.GetClassName()} has no property '{name}'{guess}")
         getattr(body, names[name])(*value if isinstance(value, (tuple, list)) else (value,))
 
 
@@ -209,7 +211,12 @@ def render(clouds: Any, style: str = "surface", *, size: tuple[int, int] = (1024
     sun = unit(toward_sun) if toward_sun is not None else toward_sun_of(extent, eye)
     if ground if ground is not None else bool(extent.geometry):
         _add_surroundings(scape, extent, sun, eye)
-    scape.AddBody(_body(data, extent, style, sun, {"field": field, "value": value, "smoothing": smoothing}, look))
+    if style == "volume":
+        scape.AddBody(_volume(data, extent, sun, field, look))
+    else:
+        surface = data if isinstance(data, vtkPolyData) else contour(
+            data, value, field=field, smoothing=extent.step if smoothing is None else smoothing)
+        scape.AddBody(_surface(surface, extent, style, sun, look))
     return _drawn(scape)
 
 
@@ -261,12 +268,6 @@ def _add_surroundings(scape: vtkCloudscape, extent: Extent, sun: Any, eye: vtkCa
         scape.AddBody(haze)
 
 
-def _body(data: vtkDataSet, extent: Extent, style: str, sun: Any, what: Mapping[str, Any], look: Mapping[str, Any]) -> vtkCloudBody:
-    if style == "volume":
-        return _volume(data, extent, sun, what["field"], look)
-    return _surface(data, extent, style, sun, what, look)
-
-
 def _volume(data: vtkDataSet, extent: Extent, sun: Any, field: str, look: Mapping[str, Any]) -> vtkCloudCellVolume:
     if not look.get("extinction_rule") and not data.GetPointData().HasArray(field):
         raise CloudError(f"No point array '{field}' to draw; the data have: {', '.join(arrays(data))}. Choose one with field=.")
@@ -291,14 +292,9 @@ def _in_daylight(grid: vtkStructuredGrid, sun: Any) -> vtkStructuredGrid:
     return lit
 
 
-def _surface(data: vtkDataSet, extent: Extent, style: str, sun: Any, what: Mapping[str, Any],
-             look: Mapping[str, Any]) -> vtkCloudSurface:
+def _surface(data: vtkPolyData, extent: Extent, style: str, sun: Any, look: Mapping[str, Any]) -> vtkCloudSurface:
     surface = vtkCloudSurface()
-    if isinstance(data, vtkPolyData):
-        surface.SetInputData(data)
-    else:
-        smoothing = extent.step if what["smoothing"] is None else what["smoothing"]
-        surface.SetInputData(contour(data, what["value"], field=what["field"], smoothing=smoothing))
+    surface.SetInputData(data)
     _light(surface, sun)
     if style == "texture":
         metre = 1 if extent.globe or extent.geometry == "Local" else extent.scale

@@ -140,7 +140,8 @@ def camera_of(extent: Extent, longitude: float | None, latitude: float | None, b
     up = vertical if np.linalg.norm(np.cross(vertical, toward_eye)) > 1e-6 else np.array([0, 1.0, 0])
     tangent = np.tan(np.radians(view_angle / 2)) / _MARGIN
     target = np.zeros(3) if extent.globe else extent.middle
-    eye = target + toward_eye * _distance(extent, target, _frame(toward_eye, up), (tangent * size[0] / size[1], tangent), distance)
+    tangents = (tangent * size[0] / size[1], tangent)
+    eye = target + toward_eye * _distance(extent, target, _frame(toward_eye, up), tangents, distance)
     made = vtkCamera()
     made.SetPosition(*eye)
     made.SetFocalPoint(*target)
