@@ -98,7 +98,14 @@ public:
     }
   }
 
-  void CloseSeam() { this->Shape.closed = true; }
+  /// The last point of each row is the first again: gradients are taken across the seam. Returns whether the surface can be
+  /// connected there too.
+  bool CloseSeam()
+  {
+    this->Ring = true;
+    this->Shape.closed = this->Shape.n[0] % 2 == 1;
+    return this->Shape.closed;
+  }
 
   /// Whether every row ends with the value and the usability it starts with.
   bool SeamValuesAgree() const
@@ -180,7 +187,8 @@ private:
     ContourOutput& out, const ContourLevel& level, double value, vtkIdType first)
   {
     using Real = typename Points::Real;
-    const LatticeField<Points, T> field{ this->Shape, this->X, this->Values, this->Usable.get() };
+    const LatticeField<Points, T> field{ this->Shape, this->X, this->Values, this->Usable.get(),
+      this->Ring };
     const SurfaceVertices<Real> vertices{
       ArrayOf<Real>::Type::SafeDownCast(out.Points)->GetPointer(3 * first),
       out.Normals ? out.Normals->GetPointer(3 * first) : nullptr
@@ -254,6 +262,7 @@ private:
   std::unique_ptr<LatticeBits> Cells;  // null for all
   std::vector<std::unique_ptr<ContourLevel>> Levels;
   std::vector<double> LevelValues;
+  bool Ring = false;
   vtkIdType Vertices = 0;
   vtkIdType Triangles = 0;
 };

@@ -56,6 +56,7 @@ struct LatticeField
   const Points& X;
   const T* Values;
   const LatticeBits* Usable; ///< points that have a value; null for all
+  bool Ring;                 ///< the last point of each row is the first again
 
   T value(int i, int j, int k) const { return this->Values[this->id(i, j, k)]; }
   Index id(int i, int j, int k) const
@@ -73,7 +74,7 @@ struct LatticeField
     const std::array<int, 3> here = p;
     p[axis] += step;
     const int last = this->Shape.n[axis] - 1;
-    if (axis == 0 && this->Shape.closed)
+    if (axis == 0 && this->Ring)
     {
       p[0] = p[0] < 0 ? last - 1 : p[0] > last ? 1 : p[0];
     }
@@ -84,6 +85,14 @@ struct LatticeField
   {
     const auto& n = this->Shape.n;
     return i > 0 && i < n[0] - 1 && j > 0 && j < n[1] - 1 && k > 0 && k < n[2] - 1;
+  }
+
+  bool areNeighboursUsable(int i, int j, int k) const
+  {
+    return !this->Usable ||
+      (this->usable({ i - 1, j, k }) && this->usable({ i + 1, j, k }) &&
+        this->usable({ i, j - 1, k }) && this->usable({ i, j + 1, k }) &&
+        this->usable({ i, j, k - 1 }) && this->usable({ i, j, k + 1 }));
   }
 
   /// Where all six neighbours are: without asking.
@@ -99,7 +108,7 @@ struct LatticeField
 
   Vector3 gradient(int i, int j, int k) const
   {
-    if (!this->Usable && this->inside(i, j, k))
+    if (this->inside(i, j, k) && this->areNeighboursUsable(i, j, k))
     {
       return this->gradientInside(i, j, k);
     }

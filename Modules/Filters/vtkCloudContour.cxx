@@ -14,6 +14,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <array>
@@ -100,18 +101,12 @@ void contourLattice(const Request& request, const Points& points, const T* value
   const LatticeShape shape = nephoscope::latticeShape(request.Input);
   LatticeContour<Points, T> contour(request.Input, shape, points, values, ranges);
   contour.FindUsable();
-  if (nephoscope::closesOnItself(shape, points) && contour.SeamValuesAgree())
+  if (nephoscope::closesOnItself(shape, points) && contour.SeamValuesAgree() &&
+    !contour.CloseSeam())
   {
-    if (shape.n[0] % 2 == 1)
-    {
-      contour.CloseSeam();
-    }
-    else
-    {
-      vtkWarningWithObjectMacro(request.Filter,
-        "The grid closes on itself with an odd number of cells (" << shape.n[0] -
-            1 << "), so the surface is open at the seam; an even number would close it.");
-    }
+    vtkWarningWithObjectMacro(request.Filter,
+      "The grid closes on itself with an odd number of cells (" << shape.n[0] -
+          1 << "), so the surface is open at the seam; an even number would close it.");
   }
   contour.Count(request.Values);
   if (request.Aborted(0.3))
@@ -371,6 +366,20 @@ int vtkCloudContour::FillInputPortInformation(int, vtkInformation* info)
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  return 1;
+}
+
+int vtkCloudContour::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // The gradients on a piece's border are those of the whole with the points next to it.
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* const out = outputVector->GetInformationObject(0);
+  vtkInformation* const in = inputVector[0]->GetInformationObject(0);
+  if (in && out->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1)
+  {
+    in->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 1);
+  }
   return 1;
 }
 

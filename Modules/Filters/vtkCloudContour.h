@@ -31,6 +31,8 @@
  *          A globe's seam, where the first and last points of every row along i coincide in place (to 1e-4 of a step) and value,
  *          is closed: the surface is connected across it. This needs an even number of cells round the globe. With an
  *          odd number the face diagonals differ there; the surface is then open at the seam, and a warning says so.
+ * Pieces   one level of ghosts is asked of the input, for the gradients; with it the triangles of all pieces are those of the whole,
+ *          to the bit, their normals included. Vertices on the border of two pieces are in both.
  * Errors   no such array, not a point array, not one component, a contour value that is not finite, a cell that is not
  *          a tetrahedron: vtkErrorMacro, an empty output. Grids with one layer have no cells: an empty output, no error.
  * Cost     O(points / 64 + crossed cells), the first time for a field O(points). The same bits for any number of threads.
@@ -85,6 +87,8 @@ protected:
   ~vtkCloudContour() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

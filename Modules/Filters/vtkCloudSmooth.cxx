@@ -4,6 +4,7 @@
 #include "CloudArrays.h"
 #include "LatticeGrid.h"
 #include "LineDiffusion.h"
+#include "PieceOfWhole.h"
 #include "WholeData.h"
 
 #include "vtkDoubleArray.h"
@@ -274,6 +275,13 @@ int vtkCloudSmooth::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
+int vtkCloudSmooth::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  nephoscope::askForWhole(inputVector[0]->GetInformationObject(0));
+  return 1;
+}
+
 int vtkCloudSmooth::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -283,11 +291,21 @@ int vtkCloudSmooth::RequestData(
   {
     return 1;
   }
+  if (!this->Smooth(input, output))
+  {
+    return 0;
+  }
+  nephoscope::cutPiece(output, outputVector->GetInformationObject(0));
+  return 1;
+}
+
+bool vtkCloudSmooth::Smooth(vtkDataSet* input, vtkDataSet* output)
+{
   const std::string missing = nephoscope::whatIsMissing(input);
   if (!missing.empty())
   {
     vtkErrorMacro(<< missing);
-    return 0;
+    return false;
   }
   std::vector<std::string> names = this->Names;
   if (names.empty())
@@ -300,13 +318,13 @@ int vtkCloudSmooth::RequestData(
     {
       vtkErrorMacro("No point array '"
         << name << "' to smooth; name one that the input has with AddSmoothedArray.");
-      return 0;
+      return false;
     }
   }
   output->ShallowCopy(input);
   if (this->Length == 0)
   {
-    return 1;
+    return true;
   }
 
   const LayerGeometry geometry(AnyPoints{ input, nephoscope::latticeShape(input) });
@@ -328,7 +346,7 @@ int vtkCloudSmooth::RequestData(
     output->GetPointData()->AddArray(smooth);
     this->UpdateProgress(double(n + 1) / names.size());
   }
-  return 1;
+  return true;
 }
 
 void vtkCloudSmooth::PrintSelf(ostream& os, vtkIndent indent)

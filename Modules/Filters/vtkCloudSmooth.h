@@ -24,6 +24,7 @@
  *          that a pole's row becomes one value. Nothing passes over a pole.
  * Errors   no such point array: vtkErrorMacro, empty output.
  * Cost     O(points * Passes) for each component; all threads, the same bits for any number of them; 40 bytes a point.
+ * Pieces   implicit steps join whole lines: each piece asks for the whole extent, smooths it and gives its block of columns.
  * Limits   NaN stays NaN, and nothing flows to or from there; so do hidden points. Distances are those in the scene: an
  *          exaggerated terrain's slopes are longer. Vector components are smoothed one by one.
  * @sa nephoscope::DiffusionLine, vtkCloudContour, TestCloudSmooth.cxx
@@ -68,12 +69,16 @@ protected:
   ~vtkCloudSmooth() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
 private:
   vtkCloudSmooth(const vtkCloudSmooth&) = delete;
   void operator=(const vtkCloudSmooth&) = delete;
+
+  bool Smooth(vtkDataSet* input, vtkDataSet* output);
 
   double Length = 150e3;
   int Passes = 2;

@@ -2,6 +2,7 @@
 #include "vtkCloudTextureAdvection.h"
 
 #include "CloudArrays.h"
+#include "PieceOfWhole.h"
 #include "TextureAdvector.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -21,7 +22,7 @@ vtkStandardNewMacro(vtkCloudTextureAdvection);
 struct vtkCloudTextureAdvection::Progress
 {
   nephoscope::TextureAdvector Textures;
-  bool Running = false; // between the first request of an update and its end
+  bool Running = false; // between the first time taken in an update and its end
 };
 
 namespace
@@ -83,7 +84,7 @@ int vtkCloudTextureAdvection::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkInformation* const in = inputs[0]->GetInformationObject(0);
-  in->Set(Pipeline::UPDATE_EXTENT(), in->Get(Pipeline::WHOLE_EXTENT()), 6);
+  nephoscope::askForWhole(in);
   const std::vector<double> times = timesOf(in);
   if (!this->Work || times.empty())
   {
@@ -101,7 +102,6 @@ int vtkCloudTextureAdvection::RequestUpdateExtent(
       return 0;
     }
     this->Work->Textures.begin(target);
-    this->Work->Running = true;
   }
   in->Set(Pipeline::UPDATE_TIME_STEP(),
     this->Work->Textures.isReady() ? target : this->Work->Textures.nextTime());
@@ -125,6 +125,7 @@ int vtkCloudTextureAdvection::RequestData(
       this->Work->Textures.take(input);
       if (timed)
       {
+        this->Work->Running = true;
         request->Set(Pipeline::CONTINUE_EXECUTING(), 1);
         return 1;
       }
@@ -150,6 +151,7 @@ int vtkCloudTextureAdvection::RequestData(
     this->MaximumStretch = *std::max_element(middle, ordered.end());
     this->UsedRestartPeriod = this->Work->Textures.period();
     this->NumberOfSubsteps = this->Work->Textures.substeps();
+    nephoscope::cutPiece(output, outputs->GetInformationObject(0));
   }
   catch (const nephoscope::GridError& error)
   {

@@ -31,7 +31,9 @@
  *          320 x 160 x 19 points, Runge-Kutta 2, linear, one substep: 0.4 s of one core, half of it for locating positions in
  *          the grid and reading the wind there. Spread over threads, the same bits for any number. Memory: wind and height
  *          at two times, 12 bytes a point and texture.
- * Limits   the whole extent is needed. NaN winds are calm. Air that comes from beyond the edge of a regional grid has the edge's
+ * Pieces   each asks for the whole extent and gives its block of columns: over a texture's life the air of a column comes from half
+ *          the globe, so its halo would be nearly the whole. RestartPeriod and the stretch are those of the whole.
+ * Limits   NaN winds are calm. Air that comes from beyond the edge of a regional grid has the edge's
  *          coordinates.
  * @sa Trajectory.h, CoordinateMap.h, vtkCloudTexture, TestCloudTextureAdvection.cxx
  */

@@ -4,6 +4,7 @@
 #include "AirSnapshot.h"
 #include "CarriedField.h"
 #include "CloudArrays.h"
+#include "PieceOfWhole.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
@@ -226,7 +227,7 @@ int vtkCloudTimeInterpolator::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkInformation* const in = inputs[0]->GetInformationObject(0);
-  in->Set(Pipeline::UPDATE_EXTENT(), in->Get(Pipeline::WHOLE_EXTENT()), 6);
+  nephoscope::askForWhole(in);
   const std::vector<double>& times = this->Between->Times;
   if (times.empty())
   {
@@ -256,6 +257,7 @@ int vtkCloudTimeInterpolator::RequestData(
   if (between.Times.empty())
   {
     output->ShallowCopy(input);
+    nephoscope::cutPiece(output, outputs->GetInformationObject(0));
     return 1;
   }
   if (between.missing() >= 0)
@@ -271,6 +273,7 @@ int vtkCloudTimeInterpolator::RequestData(
   try
   {
     this->Interpolate(output);
+    nephoscope::cutPiece(output, outputs->GetInformationObject(0));
   }
   catch (const GridError& error)
   {

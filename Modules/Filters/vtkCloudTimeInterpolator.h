@@ -22,7 +22,8 @@
  *          outside the range, a grid that changes its size: vtkErrorMacro, return 0.
  * Cost     two trajectories a point, and 8 (linear) or 72 (cubic) reads an array and time. Spread over threads, the same bits for any
  *          number. Memory: the grids of two times and their wind.
- * Limits   the whole extent is needed. Air from beyond the edge of a regional grid is read at the edge. A cloud that stays while the
+ * Pieces   each asks for the whole extent, as winds may reach any part of it, and gives its block of columns.
+ * Limits   Air from beyond the edge of a regional grid is read at the edge. A cloud that stays while the
  *          air blows through it (over a mountain, at a front) is not carried by the wind; see below.
  *
  * Whether carrying is better than fading depends on whether the clouds go with the air. Steps that were left out and interpolated

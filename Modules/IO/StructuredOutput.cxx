@@ -96,8 +96,8 @@ Region OutputGrid::region(const int extent[6], std::size_t time) const
 {
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (extent[2 * axis] < 0 || extent[2 * axis + 1] >= this->size(axis) ||
-      extent[2 * axis] > extent[2 * axis + 1])
+    const bool outside = extent[2 * axis] < 0 || extent[2 * axis + 1] >= this->size(axis);
+    if ((outside && !(axis == 0 && this->isRing())) || extent[2 * axis] > extent[2 * axis + 1])
     {
       throw ReadError("the requested extent lies outside the grid; ask for a part of WHOLE_EXTENT");
     }
@@ -305,6 +305,23 @@ void OutputGrid::fill(vtkStructuredGrid* output, const int extent[6], const Regi
     this->addWind(output, fields, extent, region, layout);
   }
   this->hide(output, master, fields.air.groundless, extent, region);
+}
+
+void OutputGrid::markGhosts(
+  vtkStructuredGrid* output, const PointExtent& extent, const PointExtent& block)
+{
+  if (extent == block)
+  {
+    return;
+  }
+  vtkUnsignedCharArray* const points =
+    output->GetPointGhostArray() ? output->GetPointGhostArray() : output->AllocatePointGhostArray();
+  markOutside(extent, block, 0,
+    [points](vtkIdType point)
+    { points->SetValue(point, points->GetValue(point) | vtkDataSetAttributes::DUPLICATEPOINT); });
+  vtkUnsignedCharArray* const cells = output->AllocateCellGhostArray();
+  markOutside(extent, block, 1,
+    [cells](vtkIdType cell) { cells->SetValue(cell, vtkDataSetAttributes::DUPLICATECELL); });
 }
 
 void OutputGrid::attach(vtkStructuredGrid* output, const HorizontalGrid& grid,

@@ -7,6 +7,7 @@
 #define StructuredOutput_h
 
 #include "CloudFields.h"
+#include "ColumnBlocks.h"
 #include "SceneLayout.h"
 
 class vtkStructuredGrid;
@@ -23,7 +24,9 @@ public:
 
   /// Points along an axis.
   int size(int axis) const;
-  /// What must be read for an extent: a pole needs its whole row.
+  /// Whether the grid goes round and its last column is the first again, in the same place.
+  bool isRing() const { return this->Axes.periodic && this->Geometry == SceneGeometry::Globe; }
+  /// What must be read for an extent: a pole needs its whole row. On a ring columns go on beyond both ends.
   Region region(const int extent[6], std::size_t time) const;
   /// @throws ReadError if the whole field is missing
   void fill(vtkStructuredGrid* output, const int extent[6], const Region& region,
@@ -31,6 +34,10 @@ public:
   /// Field data and units.
   void attach(vtkStructuredGrid* output, const HorizontalGrid& grid, const SceneLayout& layout,
     const CloudFile& file) const;
+
+  /// Points and cells outside of a block are those of other pieces.
+  static void markGhosts(
+    vtkStructuredGrid* output, const PointExtent& extent, const PointExtent& block);
 
 private:
   /// Where a row of the output comes from: a row of the region, or the mean of one at a pole.
@@ -41,8 +48,15 @@ private:
   };
   bool hasPole(const int extent[6]) const;
   Row row(int j, const Region& region) const;
-  int turn(int i) const { return static_cast<std::size_t>(i) >= this->Axes.nx ? 1 : 0; }
-  std::size_t column(int i) const { return static_cast<std::size_t>(i) % this->Axes.nx; }
+  int turn(int i) const
+  {
+    const int columns = static_cast<int>(this->Axes.nx);
+    return i >= 0 ? i / columns : -1 - (-1 - i) / columns;
+  }
+  std::size_t column(int i) const
+  {
+    return static_cast<std::size_t>(i - this->turn(i) * static_cast<int>(this->Axes.nx));
+  }
   /// A field on the points of the extent; at a pole the mean of what is not missing.
   std::vector<float> place(
     const std::vector<float>& values, const int extent[6], const Region& region) const;

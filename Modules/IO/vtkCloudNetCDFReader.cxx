@@ -114,6 +114,23 @@ struct vtkCloudNetCDFReader::Internals
     this->Units = file.HasClock ? file.Clock.units() : std::string();
   }
 
+  /// The block that is asked for, and its points with those of its neighbours. Returns false if there is none.
+  bool PieceOf(vtkInformation* info, PointExtent& block, PointExtent& points) const
+  {
+    using Pipeline = vtkStreamingDemandDrivenPipeline;
+    PointExtent asked;
+    info->Get(Pipeline::UPDATE_EXTENT(), asked.data());
+    const int pieces = std::max(info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()), 1);
+    if (!columnBlock(asked, info->Get(Pipeline::UPDATE_PIECE_NUMBER()), pieces, block))
+    {
+      return false;
+    }
+    const bool round = asked[0] == 0 && asked[1] == this->Dimensions[0] - 1;
+    const int levels = pieces > 1 ? info->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()) : 0;
+    points = withGhosts(asked, block, levels, round && this->Output.isRing());
+    return true;
+  }
+
   /// The step nearest to a time. @throws ReadError outside the file's range
   std::size_t StepAt(double time) const
   {
@@ -222,7 +239,8 @@ int vtkCloudNetCDFReader::RequestInformation(
   const int whole[6] = { 0, own.Dimensions[0] - 1, 0, own.Dimensions[1] - 1, 0,
     own.Dimensions[2] - 1 };
   output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole, 6);
-  output->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  // Pieces are the reader's own blocks: the pipeline's would divide the levels too, and end at the seam.
+  output->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
   const std::vector<double>& times = own.File->Times;
   if (times.empty())
   {
@@ -252,8 +270,14 @@ int vtkCloudNetCDFReader::RequestData(
   try
   {
     CloudFile& file = *own.File;
-    int extent[6];
-    info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
+    PointExtent block;
+    PointExtent points;
+    if (!own.PieceOf(info, block, points))
+    {
+      output->Initialize(); // more pieces than columns
+      return 1;
+    }
+    const int* const extent = points.data();
     const bool timed = info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
     const std::size_t step =
       timed ? own.StepAt(info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())) : 0;
@@ -267,6 +291,7 @@ int vtkCloudNetCDFReader::RequestData(
     const SceneLayout layout(*own.Horizontal, file.Grid, own.Options, isGridWind(file));
     own.Output.fill(output, extent, region, fields, layout, file);
     own.Output.attach(output, *own.Horizontal, layout, file);
+    OutputGrid::markGhosts(output, points, block);
     if (!file.Times.empty())
     {
       output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), file.Times[step]);

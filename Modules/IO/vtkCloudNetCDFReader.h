@@ -23,6 +23,10 @@
  *          with the mean of the last row, so that the globe is closed. Map: the column only.
  *          Time: TIME_STEPS in seconds since the reference instant of the file's time unit, in the file's own calendar. The step
  *          nearest to the requested time is read; a request outside the file's range is an error.
+ * Pieces   blocks of whole columns (nephoscope::columnBlock), read with as many levels of ghosts round about as are asked for along i
+ *          and j: from the file, on a Globe across the seam as well, where the extent then goes on beyond the whole one. Ghosts are
+ *          marked in vtkGhostType (duplicate points and cells). More pieces than columns: the last ones are empty. A piece at a pole
+ *          or across the seam reads its rows' whole width.
  * Parameters: see the setters.
  * Method   vertical: VerticalCoordinate.h. Height is geopotential / 9.80665 where the file has geopotential.
  *          Specific contents and mixing ratios are both taken as kg/kg without conversion (they differ by the humidity, < 3 %).
