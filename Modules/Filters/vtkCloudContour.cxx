@@ -386,7 +386,10 @@ int vtkCloudContour::RequestUpdateExtent(
 vtkDataArray* vtkCloudContour::FindField(vtkDataSet* input, vtkInformationVector** inputVector)
 {
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkDataArray* field = this->GetInputArrayToProcess(0, inputVector, association);
+  const char* wanted = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  vtkDataArray* field = wanted && !wanted[0]
+    ? input->GetPointData()->GetArray(nephoscope::arrays::CloudFraction)
+    : this->GetInputArrayToProcess(0, inputVector, association);
   if (!field)
   {
     std::string names;
@@ -395,7 +398,6 @@ vtkDataArray* vtkCloudContour::FindField(vtkDataSet* input, vtkInformationVector
       const char* name = input->GetPointData()->GetArrayName(a);
       names += std::string(a > 0 ? ", " : "") + (name ? name : "(no name)");
     }
-    const char* wanted = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
     vtkErrorMacro("No point array '" << (wanted ? wanted : "") << "' to contour; the input has: "
                                      << (names.empty() ? "none" : names)
                                      << ". Choose one with SetInputArrayToProcess.");

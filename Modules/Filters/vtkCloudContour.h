@@ -13,7 +13,8 @@
  * Tetrahedral unstructured grids are contoured likewise, their edges merged by sorting.
  *
  * Input    port 0: vtkStructuredGrid, vtkRectilinearGrid, vtkImageData, or vtkUnstructuredGrid of tetrahedra.
- *          The field: a point array with one component, CloudFraction unless SetInputArrayToProcess names another.
+ *          The field: a point array with one component, CloudFraction unless SetInputArrayToProcess names another
+ *          (an empty name, as ParaView has it before it knows the input, is no other).
  * Output   vtkPolyData, triangles. Points are double where a structured or unstructured grid's are, else float.
  *          Point arrays: all of the input's, interpolated along the edges (integers become float); the field itself holds
  *          the contour value; Normals, 3 float, unit length. Field data pass through.

@@ -11,10 +11,13 @@
 #include "StructuredOutput.h"
 #include "VerticalReader.h"
 
+#include <vtkDataArraySelection.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkStringArray.h>
 #include <vtkStructuredGrid.h>
@@ -33,6 +36,7 @@ using namespace nephoscope;
 struct vtkCloudNetCDFReader::Internals
 {
   std::map<std::string, std::string> Choices;
+  vtkNew<vtkDataArraySelection> Kept;
 
   // What the last RequestInformation learned; null after an error.
   std::unique_ptr<CloudFile> File;
@@ -131,6 +135,39 @@ struct vtkCloudNetCDFReader::Internals
     return true;
   }
 
+  /// Adds the arrays that the output can have to those to choose from; what was chosen stays.
+  void ListArrays(bool diagnose)
+  {
+    const CloudFile& file = *this->File;
+    const auto add = [this](const char* name, bool there)
+    {
+      if (there)
+      {
+        this->Kept->AddArray(name);
+      }
+    };
+    add(arrays::CloudFraction, file.find(Role::CloudFraction) || (diagnose && canDiagnose(file)));
+    add(arrays::LiquidWater, file.find(Role::LiquidWater));
+    add(arrays::IceWater, file.find(Role::IceWater));
+    add(arrays::Wind, file.find(Role::EastwardWind) && file.find(Role::NorthwardWind));
+    add(arrays::Pressure, true);
+    add(arrays::Temperature, file.find(Role::Temperature) || file.find(Role::PotentialTemperature));
+    add(arrays::SpecificHumidity, file.find(Role::SpecificHumidity));
+    const RoleVariable* theta = file.find(Role::PotentialTemperature);
+    add(arrays::PotentialTemperature, theta && theta->chosen);
+  }
+
+  void KeepChosen(vtkStructuredGrid* output) const
+  {
+    for (int index = 0; index < this->Kept->GetNumberOfArrays(); ++index)
+    {
+      if (!this->Kept->GetArraySetting(index))
+      {
+        output->GetPointData()->RemoveArray(this->Kept->GetArrayName(index));
+      }
+    }
+  }
+
   /// The step nearest to a time. @throws ReadError outside the file's range
   std::size_t StepAt(double time) const
   {
@@ -209,6 +246,44 @@ const char* vtkCloudNetCDFReader::GetKnownRole(int index)
                                                        : nullptr;
 }
 
+int vtkCloudNetCDFReader::GetNumberOfPointArrays()
+{
+  return this->Internal->Kept->GetNumberOfArrays();
+}
+
+const char* vtkCloudNetCDFReader::GetPointArrayName(int index)
+{
+  return this->Internal->Kept->GetArrayName(index);
+}
+
+int vtkCloudNetCDFReader::GetPointArrayStatus(const char* name)
+{
+  return this->Internal->Kept->ArrayIsEnabled(name);
+}
+
+void vtkCloudNetCDFReader::SetPointArrayStatus(const char* name, int keep)
+{
+  const vtkMTimeType before = this->Internal->Kept->GetMTime();
+  this->Internal->Kept->SetArraySetting(name, keep);
+  if (this->Internal->Kept->GetMTime() != before)
+  {
+    this->Modified();
+  }
+}
+
+int vtkCloudNetCDFReader::CanReadFile(const char* name)
+{
+  try
+  {
+    const CloudFile file(name ? name : "", {});
+    return 1;
+  }
+  catch (const std::exception&)
+  {
+    return 0;
+  }
+}
+
 int vtkCloudNetCDFReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
@@ -228,6 +303,7 @@ int vtkCloudNetCDFReader::RequestInformation(
     wanted.degrees = this->MapUnits == Degrees;
     wanted.exaggeration = this->VerticalExaggeration;
     own.Open(this->FileName, wanted, this->Geometry == Automatic, this->DiagnoseCloudFraction);
+    own.ListArrays(this->DiagnoseCloudFraction);
   }
   catch (const std::exception& error)
   {
@@ -290,6 +366,7 @@ int vtkCloudNetCDFReader::RequestData(
     }
     const SceneLayout layout(*own.Horizontal, file.Grid, own.Options, isGridWind(file));
     own.Output.fill(output, extent, region, fields, layout, file);
+    own.KeepChosen(output);
     own.Output.attach(output, *own.Horizontal, layout, file);
     OutputGrid::markGhosts(output, points, block);
     if (!file.Times.empty())

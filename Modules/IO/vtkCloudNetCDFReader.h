@@ -120,6 +120,18 @@ public:
   ///@}
 
   ///@{
+  /// Which point arrays the output keeps, of those that UpdateInformation() found: all by default. Height is always kept. What is not
+  /// kept is read all the same where others are worked out from it.
+  int GetNumberOfPointArrays();
+  const char* GetPointArrayName(int index);
+  int GetPointArrayStatus(const char* name);
+  void SetPointArrayStatus(const char* name, int keep);
+  ///@}
+
+  /// 1 if the file is NetCDF and has a cloud variable by one of the known names.
+  static int CanReadFile(const char* name);
+
+  ///@{
   /// What UpdateInformation() learned, without reading fields.
   int* GetFileDimensions() VTK_SIZEHINT(3); ///< boxes east, north, up in the file
   int* GetDimensions() VTK_SIZEHINT(3);     ///< points of the output: with seam and poles

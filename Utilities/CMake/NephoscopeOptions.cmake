@@ -4,6 +4,7 @@ include(CTest)
 
 option(BUILD_SHARED_LIBS "Build shared libraries" ON)
 option(Nephoscope_WRAP_PYTHON "Build the Python package nephoscope" ON)
+option(Nephoscope_WITH_PARAVIEW "Build the plugin for the ParaView in ParaView_DIR, and nothing else" OFF)
 option(Nephoscope_WARNINGS_AS_ERRORS "Compile with -Werror" OFF)
 # Debian's interpreter: another python3 on PATH has no vtkmodules.
 set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Python whose vtkmodules is VTK's own")

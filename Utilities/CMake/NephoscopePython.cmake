@@ -22,6 +22,11 @@ endforeach ()
 install(DIRECTORY "${package_source}" DESTINATION "${Nephoscope_PYTHON_DESTINATION}"
   FILES_MATCHING PATTERN "*.py" PATTERN "py.typed")
 
+# One package with stubs is enough: they are the same for ParaView's VTK.
+if (Nephoscope_WITH_PARAVIEW)
+  return ()
+endif ()
+
 # Type stubs, for editors and type checkers, of what the extension modules say of themselves.
 set(stubs "${CMAKE_BINARY_DIR}/CMakeFiles/nephoscope-stubs")
 set(extension_modules "${wrapped_modules}")
