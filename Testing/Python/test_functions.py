@@ -282,6 +282,8 @@ class Pictures(Quiet):
                 (ns.CloudError, "No point array 'x' to draw; the data have: CloudFraction",
                  lambda: ns.render(fog, "volume", field="x")),
                 (ValueError, "size=.0, 3. is no width", lambda: ns.render(fog, size=(0, 3))),
+                (ValueError, "size=5 is no width", lambda: ns.render(fog, size=5)),
+                (ValueError, "samples=99 is not within 1 to 8", lambda: ns.render(fog, samples=99)),
                 (ns.CloudError, "32768", lambda: ns.render(fog, size=(40000, 3), samples=1)),
                 (ValueError, "toward_sun|is no direction", lambda: ns.render(fog, toward_sun=(0, 0, 0))),
                 (ValueError, "camera: 'zoom' is none of longitude", lambda: ns.render(fog, camera={"zoom": 2})),

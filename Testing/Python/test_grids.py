@@ -5,6 +5,7 @@ import gc
 import pathlib
 import sys
 import unittest
+import warnings
 
 import netCDF4
 import numpy as np
@@ -113,6 +114,23 @@ class Values(unittest.TestCase):
         view = nephoscope.arrays(nephoscope.grid(values))["CloudFraction"]
         np.testing.assert_array_equal(np.isnan(view), values.mask)
 
+    def test_lists_and_components(self):
+        grid = nephoscope.grid([[[1, 2]], [[3, 4]]])
+        np.testing.assert_array_equal(nephoscope.arrays(grid)["CloudFraction"], [[[1, 2]], [[3, 4]]])
+        for wind in ((ball(), 2 * ball()), np.stack([ball(), 2 * ball()], axis=-1)):
+            for lay in (nephoscope.grid, lain):
+                view = nephoscope.arrays(lay({"Wind": wind}))["Wind"]
+                np.testing.assert_array_equal(view, np.stack([ball(), 2 * ball(), 0 * ball()], axis=-1))
+
+    def test_a_pole_has_the_mean_of_what_is_known(self):
+        values = np.ones((2, 2, 4)) * [1, np.nan, 3, np.nan]
+        values[1, 1] = np.nan
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            grid = nephoscope.grid(values, longitude=[0, 90, 180, 270], latitude=[-45, 45], height=[0, 1])
+        view = nephoscope.arrays(grid)["CloudFraction"]
+        np.testing.assert_array_equal(view[:, [0, 3], 0], [[2, 2], [2, np.nan]])
+
     def test_percent_becomes_a_fraction(self):
         labelled = labelled_ball(units="%")
         np.testing.assert_allclose(nephoscope.arrays(nephoscope.grid(labelled))["CloudFraction"], ball() / 100, rtol=1e-6)
@@ -219,7 +237,7 @@ class Refusals(unittest.TestCase):
                 (ValueError, "there is no latitude: give latitude=, in degrees", lambda: nephoscope.grid(ball(), longitude=LON)),
                 (ValueError, "there is no height: give height=, in m",
                  lambda: nephoscope.grid(ball(), longitude=LON, latitude=LAT)),
-                (ValueError, r"'CloudFraction' is \(25, 31, 41\) where the coordinates say \(25, 31, 40\)",
+                (ValueError, r"'CloudFraction' is \(25, 31, 41\) where the grid is \(25, 31, 40\)",
                  lambda: lain(ball(), longitude=LON[1:])),
                 (ValueError, r"'CloudFraction' has 2 dimensions \(31, 41\); 3 are needed", lambda: lain(ball()[0])),
                 (ValueError, "height is in 'hPa'; give it in m", lambda: lain(ball(), height=pressure)),
@@ -232,6 +250,15 @@ class Refusals(unittest.TestCase):
                 (ValueError, "'CloudFraction' has 2 times along 'time'; choose one",
                  lambda: nephoscope.grid(Labelled(np.ones((2, 3, 3, 3)), ("time", "z", "y", "x")))),
                 (ValueError, "'Wind' has 1 components", lambda: lain({"Wind": (ball(),)})),
+                (ValueError, r"'Wind' is \(1, 31, 41\) where the grid is \(25, 31, 41\)",
+                 lambda: lain({"Wind": (ball(), ball()[:1])})),
+                (ValueError, r"'Wind' is \(2, 2, 2\) where the grid is", lambda: lain({"Wind": np.ones((2, 2, 2, 3))})),
+                (ValueError, r"'b' is \(2, 2, 2\) where the grid is \(3, 3, 3\)",
+                 lambda: nephoscope.grid({"a": np.ones((3, 3, 3)), "b": np.ones((2, 2, 2))})),
+                (ValueError, r"longitude is \(41,\) and latitude \(7, 8\); give 1 dimension each",
+                 lambda: lain(ball(), latitude=np.ones((7, 8)))),
+                (ValueError, "latitude has values that are not finite", lambda: lain(ball(), latitude=LAT * np.nan)),
+                (TypeError, "'a.nc' is the name of a file; give nephoscope.open", lambda: nephoscope.contour("a.nc")),
                 (TypeError, "complex128 is not one of real numbers", lambda: nephoscope.grid(ball().astype(complex))),
                 (ValueError, "time='yesterday'|Error parsing datetime", lambda: lain(ball(), time="yesterday"))):
             with self.subTest(message):

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""README.md keeps its word: its Python and C++ examples run as printed, and the commands and files it names exist.
+"""README.md keeps its word: its Python and C++ examples run as printed, and the commands and files it names exist. So does
+Utilities/Doc/python.md, whose Python blocks are one session.
 
 Examples run in an empty folder that sees Data/; every file that an example says it writes must be there afterwards."""
 import argparse
@@ -39,6 +40,16 @@ def check_python(text, folder):
         check_length(code, "Python")
         run("/usr/bin/python3", "-B", "-c", code, cwd=folder)
         check_written(code, folder)
+
+
+def check_session(page, folder):
+    """All Python blocks of a page, one after the other in one interpreter."""
+    text = page.read_text()
+    code = "\n".join(blocks(text, "python"))
+    run("/usr/bin/python3", "-B", "-W", "error", "-c", code, cwd=folder)
+    check_written(code, folder)
+    for target in re.findall(r"\]\((?!https?:)([^)#]+)\)", text):
+        assert (page.parent / target).exists(), f"{page.name} links {target}, which does not exist"
 
 
 def check_cpp(text, folder, arguments):
@@ -91,6 +102,7 @@ def main():
         (folder / "Data").symlink_to(root / "Data")
         if arguments.wrapped == "ON":
             check_python(text, folder)
+            check_session(root / "Utilities/Doc/python.md", folder)
         check_cpp(text, folder, arguments)
         for command in check_nephoscope(text, pathlib.Path(arguments.build)):
             run(*command, cwd=folder)

@@ -37,9 +37,9 @@ def vtk_array(values: Array, name: str, components: int = 1) -> vtkDataArray:
 
 def _shape_of(data: vtkDataSet) -> tuple[int, ...]:
     """(k, j, i) of a structured data set, else (n,)."""
-    if hasattr(data, "GetDimensions"):
-        i, j, k = data.GetDimensions() if not hasattr(data, "GetExtent") else np.diff(data.GetExtent())[::2] + 1
-        return int(k), int(j), int(i)
+    if hasattr(data, "GetExtent"):
+        i, j, k = (int(n) for n in np.diff(data.GetExtent())[::2] + 1)
+        return k, j, i
     return (data.GetNumberOfPoints(),)
 
 
@@ -68,6 +68,8 @@ def arrays(data: vtkDataSet) -> dict[str, Array]:
     >>> clouds = nephoscope.open("climate.nc")
     >>> nephoscope.arrays(clouds)["CloudFraction"].max(axis=0)
     """
+    if not isinstance(data, vtkDataSet):
+        raise TypeError(f"a {type(data).__name__} is no vtkDataSet and has no point arrays")
     shape, attributes = _shape_of(data), data.GetPointData()
     found = (attributes.GetArray(n) for n in range(attributes.GetNumberOfArrays()))
     return {a.GetName(): _view(a, shape) for a in found if a and a.GetName()}

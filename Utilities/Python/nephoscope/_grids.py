@@ -2,6 +2,7 @@
 """Grids of arrays and coordinates."""
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from typing import Any
 
@@ -21,7 +22,7 @@ class _Columns:
     """Where the columns of a grid stand, and how a grid of longitudes and latitudes that goes round is closed."""
 
     def __init__(self, east: Any, north: Any, geometry: str, close: bool):
-        east, north = values_of(east).astype(float), values_of(north).astype(float)
+        east, north = _axis_pair(east, north, geometry)
         self.geometry = geometry
         plain = east.ndim == 1 and north.ndim == 1
         self.seam = plain and close and geometry != "local" and goes_round(east)
@@ -64,8 +65,23 @@ class _Columns:
         return np.stack(np.broadcast_arrays(scale * self.east, scale * self.north, height), axis=-1)
 
 
+def _axis_pair(east: Any, north: Any, geometry: str) -> tuple[Array, Array]:
+    """Coordinates as numbers, of one dimension each or of the same two."""
+    names = ("x", "y") if geometry == "local" else ("longitude", "latitude")
+    east, north = values_of(east).astype(float), values_of(north).astype(float)
+    if not (east.ndim == north.ndim == 1 or (east.ndim == 2 and east.shape == north.shape)):
+        raise ValueError(f"{names[0]} is {east.shape} and {names[1]} {north.shape}; "
+                         "give 1 dimension each, or (rows, columns) both")
+    for name, values in zip(names, (east, north)):
+        if not np.isfinite(values).all():
+            raise ValueError(f"{name} has values that are not finite; every column needs a place")
+    return east, north
+
+
 def _mean_row(row: Array) -> Array:
-    mean: Array = np.nanmean(row, axis=2, keepdims=True)
+    """Each value the mean of those of its row that are numbers."""
+    known = np.isfinite(row).sum(axis=2, keepdims=True)
+    mean = np.nansum(row, axis=2, keepdims=True) / np.where(known, known, np.nan)
     return np.broadcast_to(mean, row.shape).astype(row.dtype)
 
 
@@ -78,7 +94,7 @@ def goes_round(longitude: Any) -> bool:
 def _named(fields: Any) -> dict[str, Any]:
     if isinstance(fields, Mapping):
         return {str(name): fields[name] for name in fields}
-    return {"CloudFraction": fields}
+    return {"CloudFraction": np.asarray(fields) if isinstance(fields, (tuple, list)) else fields}
 
 
 def _scalar(name: str, data: Any) -> Array:
@@ -95,18 +111,21 @@ def _components(name: str, data: Any) -> list[Array]:
     if len(parts) not in (2, 3):
         raise ValueError(f"'{name}' has {len(parts)} components; give (eastward, northward[, upward]), or an array whose last "
                          "axis is these")
-    east, north = (_scalar(name, part) for part in parts[:2])
-    return [east, north, _scalar(name, parts[2]) if len(parts) == 3 else np.zeros_like(east)]
+    components = [_scalar(name, part) for part in parts]
+    for component in components:
+        _check_shape(name, component.shape, components[0].shape)
+    return [*components, *[np.zeros_like(components[0])] * (3 - len(parts))]
 
 
 def _is_vector(data: Any) -> bool:
-    return isinstance(data, (tuple, list)) or (not hasattr(data, "dims") and np.ndim(data) == 4 and np.shape(data)[-1] == 3)
+    return isinstance(data, (tuple, list)) or (not hasattr(data, "dims") and np.ndim(data) == 4)
 
 
 def _placed_vector(name: str, data: Any, columns: _Columns) -> Array:
-    if columns.geometry != "globe" and not columns.seam and not isinstance(data, (tuple, list)):
+    if columns.geometry != "globe" and not columns.seam and not isinstance(data, (tuple, list)) and np.shape(data)[-1] == 3:
         return values_of(data)
     parts = _components(name, data)
+    _check_shape(name, parts[0].shape, (parts[0].shape[0], *columns.shape))
     if columns.geometry != "globe":
         return columns.closed(np.stack(parts, axis=-1))
     open_columns = (slice(columns.poles[0], columns.poles[0] + columns.shape[0]), slice(0, columns.shape[1]))
@@ -116,7 +135,7 @@ def _placed_vector(name: str, data: Any, columns: _Columns) -> Array:
 
 def _check_shape(name: str, shape: tuple[int, ...], wanted: tuple[int, ...]) -> None:
     if shape[:3] != wanted:
-        raise ValueError(f"'{name}' is {shape[:3]} where the coordinates say {wanted} (levels, rows, columns)")
+        raise ValueError(f"'{name}' is {shape[:3]} where the grid is {wanted} (levels, rows, columns)")
 
 
 def _attach(data: vtkDataSet, name: str, values: Array) -> None:
@@ -140,8 +159,12 @@ def _image(named: Mapping[str, Any], spacing: tuple[float, float, float]) -> vtk
     image = vtkImageData()
     shape: tuple[int, ...] = ()
     for name, data in named.items():
-        values = values_of(data) if _is_vector(data) and not isinstance(data, (tuple, list)) else \
-            np.stack(_components(name, data), axis=-1) if _is_vector(data) else _scalar(name, data)
+        if not _is_vector(data):
+            values = _scalar(name, data)
+        elif isinstance(data, (tuple, list)) or np.shape(data)[-1] != 3:
+            values = np.stack(_components(name, data), axis=-1)
+        else:
+            values = values_of(data)
         shape = shape or values.shape[:3]
         _check_shape(name, values.shape, shape)
         _attach(image, name, values)
@@ -279,4 +302,6 @@ def _require(known: Mapping[str, Any], east: str, north: str) -> None:
 
 def dataset_of(data: Any) -> vtkDataSet:
     """A VTK data set as it is; arrays as a grid."""
+    if isinstance(data, (str, os.PathLike)):
+        raise TypeError(f"{os.fspath(data)!r} is the name of a file; give nephoscope.open(...) of it")
     return data if isinstance(data, vtkDataSet) else grid(data)

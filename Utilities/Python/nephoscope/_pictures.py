@@ -199,8 +199,10 @@ def render(clouds: Any, style: str = "surface", *, size: tuple[int, int] = (1024
         return _drawn(clouds)
     choice("style", style, _STYLES)
     data = dataset_of(clouds)
-    if min(size) < 1:
+    if np.shape(size) != (2,) or min(size) < 1:
         raise ValueError(f"size={size} is no width and height of a picture")
+    if not 1 <= samples <= 8:
+        raise ValueError(f"samples={samples} is not within 1 to 8")
     extent = Extent(data)
     scape = vtkCloudscape()
     scape.SetSize(*(int(n) for n in size))
