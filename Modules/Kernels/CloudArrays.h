@@ -50,6 +50,14 @@ inline constexpr const char* Depth =
 inline constexpr const char* SunTransmittance =
   "SunTransmittance"; ///< 1 component, 0..1, what a cloud plane lets through of the sun; the image's z is the plane's
 
+// Sparse voxels: a vtkPolyData with one point a brick of 8 x 8 x 8 voxels, at its first voxel's centre.
+inline constexpr const char* VoxelBricks =
+  "VoxelBricks"; ///< point array, float, 512 components: the voxels, x fastest
+inline constexpr const char* VoxelOrigins =
+  "VoxelOrigins"; ///< point array, int, 3 components: index of the first voxel, multiples of 8
+inline constexpr const char* VoxelToScene =
+  "VoxelToScene"; ///< field data, 16 doubles, row by row: (x, y, z, 1) = matrix (i, j, k, 1), voxels' centres at whole numbers
+
 // Field data that say how a grid lies in the scene.
 inline constexpr const char* Geometry = "Geometry";         ///< string: Map, Globe or Local
 inline constexpr const char* PlanetRadius = "PlanetRadius"; ///< double, scene units; Globe only

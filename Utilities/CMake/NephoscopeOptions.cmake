@@ -25,6 +25,20 @@ if (NOT (Nephoscope_FITS AND Nephoscope_CERES_INCLUDE AND Nephoscope_CERES_LIBRA
   list(APPEND Nephoscope_REJECTED_MODULES Nephoscope::CloudFits)
 endif ()
 
+# OpenVDB, for Modules/Sparse alone; found by its files too, as FindOpenVDB.cmake brings the same TBB targets.
+option(Nephoscope_OPENVDB "Read and write OpenVDB files if OpenVDB is there" ON)
+find_path(Nephoscope_OPENVDB_INCLUDE openvdb/openvdb.h)
+find_library(Nephoscope_OPENVDB_LIBRARY openvdb)
+find_library(Nephoscope_TBB_LIBRARY tbb)
+find_library(Nephoscope_IMATH_LIBRARY NAMES Imath Imath-3_1)
+mark_as_advanced(Nephoscope_OPENVDB_INCLUDE Nephoscope_OPENVDB_LIBRARY Nephoscope_TBB_LIBRARY
+  Nephoscope_IMATH_LIBRARY)
+if (NOT (Nephoscope_OPENVDB AND Nephoscope_OPENVDB_INCLUDE AND Nephoscope_OPENVDB_LIBRARY AND Nephoscope_TBB_LIBRARY AND
+    Nephoscope_IMATH_LIBRARY))
+  message(STATUS "Without OpenVDB: it is not wanted or not found (Debian: libopenvdb-dev)")
+  list(APPEND Nephoscope_REJECTED_MODULES Nephoscope::CloudSparse)
+endif ()
+
 if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif ()

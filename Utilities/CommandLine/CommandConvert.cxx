@@ -7,6 +7,7 @@
 #include "OutputFile.h"
 #include "Progress.h"
 #include "Tetrahedra.h"
+#include "VDBOutput.h"
 
 #include <CLI/CLI.hpp>
 #include <CloudArrays.h>
@@ -28,6 +29,7 @@ struct ConvertOptions
   Data data;
   std::string output;
   double value = 0.15;
+  VDBOptions vdb;
 };
 
 vtkSmartPointer<vtkDataSet> contourOf(
@@ -66,12 +68,17 @@ void write(vtkDataSet* data, const std::string& path)
 void runConvert(const ConvertOptions& options)
 {
   const std::string kind = extensionOf(options.output);
-  if (kind != "vts" && kind != "vtu" && kind != "vtp")
+  if (kind != "vts" && kind != "vtu" && kind != "vtp" && kind != "vdb")
   {
-    throw UsageFailure(
-      options.output + ": the name must end in .vts (grid), .vtu (tetrahedra) or .vtp (contour)");
+    throw UsageFailure(options.output +
+      ": the name must end in .vts (grid), .vtu (tetrahedra), .vtp (contour) or .vdb (voxels)");
   }
   checkWritable(options.output);
+  if (kind == "vdb")
+  {
+    writeVDB(options.data, options.vdb, options.output);
+    return;
+  }
   const auto reader = openModelFile(options.data);
   Progress progress;
   progress.watch(reader, "read");
@@ -88,28 +95,56 @@ void runConvert(const ConvertOptions& options)
   }
   write(data, options.output);
 }
+
+void addVDBOptions(CLI::App& command, VDBOptions& options)
+{
+  command
+    .add_option("--voxel", options.voxel,
+      ".vdb: edge of a voxel, or three X,Y,Z, scene units (metres); default: a 400th of the grid's "
+      "longest side")
+    ->type_name("SIZE")
+    ->delimiter(',')
+    ->expected(1, 3)
+    ->check(numberFrom(1e-6, 1e9));
+  command
+    .add_option("--grids", options.grids,
+      ".vdb: which of density, liquid, ice, wind, with commas; default: all that can be made")
+    ->type_name("NAMES");
+  command.add_flag("--half", options.half, ".vdb: 16-bit floats");
+  command
+    .add_option("--prune", options.prune,
+      ".vdb: share of the largest value up to which a voxel counts as empty; default 1e-5")
+    ->type_name("SHARE")
+    ->check(numberFrom(0, 1));
+  command
+    .add_option("--to", options.to,
+      ".vdb: last time step; with it a file for each step from --time on, OUT_0000.vdb, ...")
+    ->type_name("T");
+}
 }
 
 void addConvert(CLI::App& app)
 {
   auto options = std::make_shared<ConvertOptions>();
   CLI::App* const command =
-    app.add_subcommand("convert", "Write a time step of a NetCDF file as VTK data.");
+    app.add_subcommand("convert", "Write a time step of a NetCDF file as VTK data or OpenVDB.");
   command->add_option("file", options->data.file, "NetCDF file")->type_name("FILE")->required();
   command
     ->add_option("output", options->output,
       "file to write: .vts the grid, .vtu its cells as tetrahedra, .vtp the contour surface of the "
-      "cloud fraction")
-    ->type_name("OUT.{vts,vtu,vtp}")
+      "cloud fraction, .vdb sparse voxels of extinction, water and wind")
+    ->type_name("OUT.{vts,vtu,vtp,vdb}")
     ->required();
   command
     ->add_option("--value", options->value, "cloud fraction of the contour, 0 to 1; default 0.15")
     ->type_name("V")
     ->check(numberFrom(0, 1));
+  addVDBOptions(*command, options->vdb);
   addDataOptions(*command, options->data);
   addThreadsOption(*command);
   command->footer(
-    "Example:\n  nephoscope convert climate.nc clouds.vtp --value 0.15 --time 2001-10-01T06");
+    "Examples:\n  nephoscope convert climate.nc clouds.vtp --value 0.15 --time 2001-10-01T06\n"
+    "  nephoscope convert climate.nc clouds.vdb --exaggeration 10 --voxel 25000 --half");
   command->callback([options] { runConvert(*options); });
 }
 }

@@ -1,0 +1,467 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StructuredVoxels.h"
+
+#include "BrickSampler.h"
+#include "PointQuantities.h"
+#include "TetrahedralSplit.h"
+#include "vtkSMPThreadLocal.h"
+#include "vtkSMPTools.h"
+#include "vtkStructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+
+namespace nephoscope
+{
+namespace
+{
+constexpr double LargestIndex = 1 << 30;
+
+// Most pairs of a cell and a brick that are allowed for each brick: memory of 16 bytes each.
+constexpr double CellsABrick = 40;
+
+/// Turns the cells that have cloud into bricks.
+class Voxelizer
+{
+public:
+  Voxelizer(vtkStructuredGrid* grid, const VoxelOrder& order)
+    : Order(order)
+    , Quantities(quantitiesOf(grid, order))
+  {
+    grid->GetDimensions(this->Size);
+    this->Points.resize(static_cast<std::size_t>(grid->GetNumberOfPoints()));
+    for (std::size_t p = 0; p < this->Points.size(); ++p)
+    {
+      grid->GetPoint(static_cast<vtkIdType>(p), this->Points[p].v);
+    }
+    for (const Quantity& quantity : this->Quantities)
+    {
+      this->Channels += quantity.components;
+    }
+    this->Frame.spacing = { order.voxelSize[0], order.voxelSize[1], order.voxelSize[2] };
+    this->Masses.assign(this->Quantities.size(), 0);
+  }
+
+  std::vector<VoxelGrid> make(const VoxelProgress& progress)
+  {
+    this->findCells();
+    this->chooseSamples();
+    if (!this->sample(progress))
+    {
+      return {};
+    }
+    return this->collect();
+  }
+
+private:
+  using Key = std::array<int, 3>;
+  struct Pair
+  {
+    Key brick; ///< brick coordinates, z first so that bricks come in layers
+    std::uint32_t cell;
+    bool operator<(const Pair& other) const
+    {
+      return this->brick != other.brick ? this->brick < other.brick : this->cell < other.cell;
+    }
+  };
+  struct Corners
+  {
+    std::array<std::size_t, 8> point;
+    int parity;
+  };
+
+  Corners cornersOf(std::uint32_t cell) const
+  {
+    const int nx = this->Size[0] - 1;
+    const int ny = this->Size[1] - 1;
+    const int i = static_cast<int>(cell) % nx;
+    const int j = static_cast<int>(cell) / nx % ny;
+    const int k = static_cast<int>(cell) / nx / ny;
+    Corners corners{ {}, splitParity(i, j, k) };
+    for (int v = 0; v < 8; ++v)
+    {
+      corners.point[static_cast<std::size_t>(v)] = static_cast<std::size_t>(i + (v & 1)) +
+        static_cast<std::size_t>(this->Size[0]) *
+          (static_cast<std::size_t>(j + (v >> 1 & 1)) +
+            static_cast<std::size_t>(this->Size[1]) * static_cast<std::size_t>(k + (v >> 2)));
+    }
+    return corners;
+  }
+
+  bool hasCloud(const Corners& corners) const
+  {
+    bool cloud = false;
+    for (const Quantity& quantity : this->Quantities)
+    {
+      for (const std::size_t p : corners.point)
+      {
+        if (quantity.components == 1 && !std::isfinite(quantity.values[p]))
+        {
+          return false;
+        }
+        cloud = cloud || (quantity.components == 1 && quantity.values[p] > 0);
+      }
+    }
+    return cloud;
+  }
+
+  /// Of bricks, z first as in a Key.
+  struct Box
+  {
+    Key low{};
+    Key high{};
+    std::array<float, 3> extent{}; ///< voxels, x first
+  };
+
+  Box boxOf(const Corners& corners) const;
+  void refuseTooMany(double bricks) const;
+  void findCells();
+  void chooseSamples();
+  bool sample(const VoxelProgress& progress);
+  double keep(std::size_t first, double cut, VoxelGrid& made) const;
+  void conserve(std::size_t quantity, double sum, double cut, VoxelGrid& made) const;
+  std::vector<VoxelGrid> collect();
+  void addMass(const Corners& corners);
+  void addCell(std::uint32_t cell, BrickSampler& sampler) const;
+  void sampleBrick(std::size_t brick, BrickSampler& sampler);
+  double cutOf(std::size_t quantity) const;
+
+  VoxelOrder Order;
+  std::vector<Quantity> Quantities;
+  int Channels = 0; ///< components of all
+  int Size[3] = {};
+  std::vector<Vector3> Points;
+  VoxelFrame Frame;
+  std::vector<Pair> Pairs;
+  std::vector<std::array<float, 3>> Extents; ///< of the cells, voxels
+  std::vector<double> Masses;                ///< of the tetrahedra
+  std::array<int, 3> Samples{ 2, 2, 2 };
+  std::vector<std::size_t> Starts;         ///< of the bricks in Pairs, and the end
+  std::vector<std::vector<float>> Sampled; ///< [brick]: [channel][voxel], or nothing
+};
+
+/// The bricks that a cell's box touches, with a margin of half a voxel. @throw VDBError if they cannot be numbered
+Voxelizer::Box Voxelizer::boxOf(const Corners& corners) const
+{
+  Box box;
+  for (int c = 0; c < 3; ++c)
+  {
+    double least = INFINITY;
+    double largest = -INFINITY;
+    for (const std::size_t p : corners.point)
+    {
+      least = std::min(least, this->Points[p][c] / this->Frame.spacing[c]);
+      largest = std::max(largest, this->Points[p][c] / this->Frame.spacing[c]);
+    }
+    if (!(least > -LargestIndex && largest < LargestIndex))
+    {
+      throw VDBError("The voxel size " + std::to_string(this->Frame.spacing[c]) +
+        " is too small for the grid's coordinates, or these are not finite; choose larger voxels");
+    }
+    const auto axis = static_cast<std::size_t>(c);
+    box.low[2 - axis] = static_cast<int>(std::floor((least - 0.5) / BrickSampler::Edge));
+    box.high[2 - axis] = static_cast<int>(std::floor((largest + 0.5) / BrickSampler::Edge));
+    box.extent[axis] = static_cast<float>(largest - least);
+  }
+  return box;
+}
+
+void Voxelizer::refuseTooMany(double bricks) const
+{
+  if (bricks > this->Order.maximumVoxels / BrickSampler::Volume)
+  {
+    const Vector3& size = this->Frame.spacing;
+    throw VDBError("Voxels of " + std::to_string(size[0]) + " x " + std::to_string(size[1]) +
+      " x " + std::to_string(size[2]) + " would be more than " +
+      std::to_string(static_cast<long long>(this->Order.maximumVoxels)) + "; choose larger ones");
+  }
+}
+
+void Voxelizer::findCells()
+{
+  const auto cells =
+    static_cast<std::uint32_t>((this->Size[0] - 1) * (this->Size[1] - 1) * (this->Size[2] - 1));
+  for (std::uint32_t cell = 0; cell < cells; ++cell)
+  {
+    const Corners corners = this->cornersOf(cell);
+    if (!this->hasCloud(corners))
+    {
+      continue;
+    }
+    this->addMass(corners);
+    const Box box = this->boxOf(corners);
+    double touched = 1;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      touched *= 1.0 + box.high[c] - box.low[c];
+    }
+    this->refuseTooMany((static_cast<double>(this->Pairs.size()) + touched) / CellsABrick);
+    this->Extents.push_back(box.extent);
+    Key at{};
+    for (at[0] = box.low[0]; at[0] <= box.high[0]; ++at[0])
+    {
+      for (at[1] = box.low[1]; at[1] <= box.high[1]; ++at[1])
+      {
+        for (at[2] = box.low[2]; at[2] <= box.high[2]; ++at[2])
+        {
+          this->Pairs.push_back({ at, cell });
+        }
+      }
+    }
+  }
+  std::sort(this->Pairs.begin(), this->Pairs.end());
+  for (std::size_t p = 0; p < this->Pairs.size(); ++p)
+  {
+    if (p == 0 || this->Pairs[p].brick != this->Pairs[p - 1].brick)
+    {
+      this->Starts.push_back(p);
+    }
+  }
+  this->refuseTooMany(static_cast<double>(this->Starts.size()));
+  this->Starts.push_back(this->Pairs.size());
+}
+
+void Voxelizer::addMass(const Corners& corners)
+{
+  for (const TetrahedronVertices& t : TetrahedralSplit[static_cast<std::size_t>(corners.parity)])
+  {
+    std::array<Vector3, 4> places;
+    for (std::size_t v = 0; v < 4; ++v)
+    {
+      places[v] = this->Points[corners.point[t[v]]];
+    }
+    for (std::size_t q = 0; q < this->Quantities.size(); ++q)
+    {
+      const Quantity& quantity = this->Quantities[q];
+      if (quantity.components == 1)
+      {
+        this->Masses[q] += linearMass(places,
+          { quantity.values[corners.point[t[0]]], quantity.values[corners.point[t[1]]],
+            quantity.values[corners.point[t[2]]], quantity.values[corners.point[t[3]]] });
+      }
+    }
+  }
+}
+
+/// Samples no farther apart than half of what all but a tenth of the cells measure along an axis; at least 2 a voxel.
+void Voxelizer::chooseSamples()
+{
+  constexpr int Most = 16;
+  constexpr int MostInAll = 256;
+  for (int c = 0; c < 3 && !this->Extents.empty(); ++c)
+  {
+    std::vector<float> sizes;
+    for (const auto& extent : this->Extents)
+    {
+      sizes.push_back(extent[static_cast<std::size_t>(c)]);
+    }
+    const auto tenth = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 10);
+    std::nth_element(sizes.begin(), tenth, sizes.end());
+    const double wanted = std::ceil(2 / std::max(static_cast<double>(*tenth), 1e-3));
+    this->Samples[static_cast<std::size_t>(c)] =
+      static_cast<int>(std::min(std::max(wanted, 2.0), static_cast<double>(Most)));
+  }
+  while (this->Samples[0] * this->Samples[1] * this->Samples[2] > MostInAll)
+  {
+    --*std::max_element(this->Samples.begin(), this->Samples.end());
+  }
+}
+
+void Voxelizer::addCell(std::uint32_t cell, BrickSampler& sampler) const
+{
+  const Corners corners = this->cornersOf(cell);
+  std::array<double, 4 * 6> values{};
+  for (const TetrahedronVertices& t : TetrahedralSplit[static_cast<std::size_t>(corners.parity)])
+  {
+    std::array<Vector3, 4> places;
+    for (std::size_t v = 0; v < 4; ++v)
+    {
+      const std::size_t p = corners.point[t[v]];
+      places[v] = this->Points[p];
+      std::size_t channel = 0;
+      for (const Quantity& quantity : this->Quantities)
+      {
+        const auto n = static_cast<std::size_t>(quantity.components);
+        for (std::size_t c = 0; c < n; ++c)
+        {
+          values[4 * channel++ + v] = quantity.values[n * p + c];
+        }
+      }
+    }
+    sampler.add(places, values.data());
+  }
+}
+
+void Voxelizer::sampleBrick(std::size_t brick, BrickSampler& sampler)
+{
+  const Key& at = this->Pairs[this->Starts[brick]].brick;
+  constexpr int Edge = BrickSampler::Edge;
+  sampler.begin({ at[2] * Edge, at[1] * Edge, at[0] * Edge });
+  for (std::size_t p = this->Starts[brick]; p < this->Starts[brick + 1]; ++p)
+  {
+    this->addCell(this->Pairs[p].cell, sampler);
+  }
+  std::vector<float> made(static_cast<std::size_t>(this->Channels) * BrickSampler::Volume);
+  int channel = 0;
+  for (const Quantity& quantity : this->Quantities)
+  {
+    for (int c = 0; c < quantity.components; ++c, ++channel)
+    {
+      sampler.average(channel, quantity.components == 3,
+        made.data() + static_cast<std::size_t>(channel) * BrickSampler::Volume, 1);
+    }
+  }
+  if (std::any_of(made.begin(), made.end(), [](float value) { return value != 0; }))
+  {
+    this->Sampled[brick] = std::move(made);
+  }
+}
+
+bool Voxelizer::sample(const VoxelProgress& progress)
+{
+  const auto bricks = static_cast<vtkIdType>(this->Starts.size()) - 1;
+  this->Sampled.resize(static_cast<std::size_t>(bricks));
+  vtkSMPThreadLocal<std::shared_ptr<BrickSampler>> samplers;
+  constexpr vtkIdType Parts = 20;
+  for (vtkIdType part = 0; part < Parts; ++part)
+  {
+    if (!progress(static_cast<double>(part) / Parts))
+    {
+      return false;
+    }
+    vtkSMPTools::For(bricks * part / Parts, bricks * (part + 1) / Parts,
+      [&samplers, this](vtkIdType begin, vtkIdType end)
+      {
+        auto& sampler = samplers.Local();
+        if (!sampler)
+        {
+          sampler = std::make_shared<BrickSampler>(this->Frame, this->Samples, this->Channels);
+        }
+        for (vtkIdType brick = begin; brick < end; ++brick)
+        {
+          this->sampleBrick(static_cast<std::size_t>(brick), *sampler);
+        }
+      });
+  }
+  return true;
+}
+
+/// What a value of a quantity has to exceed.
+double Voxelizer::cutOf(std::size_t quantity) const
+{
+  const auto& values = this->Quantities[quantity].values;
+  float largest = 0;
+  for (const float value : values)
+  {
+    largest = value > largest ? value : largest; // not NaN
+  }
+  return this->Order.tolerance * static_cast<double>(largest);
+}
+
+/// What of the samples exceeds the cut, as bricks; returns the sum of the values.
+double Voxelizer::keep(std::size_t first, double cut, VoxelGrid& made) const
+{
+  const auto n = static_cast<std::size_t>(made.components);
+  double sum = 0;
+  for (std::size_t brick = 0; brick < this->Sampled.size(); ++brick)
+  {
+    const std::vector<float>& sampled = this->Sampled[brick];
+    std::vector<float> kept(sampled.empty() ? 0 : n * BrickSampler::Volume);
+    bool any = false;
+    for (std::size_t v = 0; v < kept.size(); ++v)
+    {
+      const float value = sampled[(first + v % n) * BrickSampler::Volume + v / n];
+      const bool keep = n == 3 ? value != 0 : static_cast<double>(value) > cut;
+      kept[v] = keep ? value : 0.0F;
+      sum += static_cast<double>(kept[v]);
+      any = any || keep;
+    }
+    if (any)
+    {
+      const Key& at = this->Pairs[this->Starts[brick]].brick;
+      constexpr int Edge = BrickSampler::Edge;
+      made.bricks.push_back({ at[2] * Edge, at[1] * Edge, at[0] * Edge });
+      made.values.insert(made.values.end(), kept.begin(), kept.end());
+    }
+  }
+  return sum;
+}
+
+/// Make the sum of a grid's values that of the tetrahedra.
+void Voxelizer::conserve(std::size_t quantity, double sum, double cut, VoxelGrid& made) const
+{
+  const Vector3& size = this->Frame.spacing;
+  const double mass = this->Masses[quantity];
+  if (mass > 0 && !(sum > 0))
+  {
+    throw VDBError("No voxel of " + std::to_string(size[0]) + " x " + std::to_string(size[1]) +
+      " x " + std::to_string(size[2]) + " meets the clouds of '" + made.name +
+      "'; choose smaller voxels");
+  }
+  const double factor = sum > 0 ? mass / (sum * size[0] * size[1] * size[2]) : 1;
+  for (float& value : made.values)
+  {
+    value = static_cast<float>(factor * static_cast<double>(value));
+  }
+  made.metadata.numbers["mass"] = mass;
+  made.metadata.numbers["mass_factor"] = factor;
+  made.metadata.numbers["pruning_tolerance"] = factor * cut;
+  made.metadata.texts["interpolation"] = "means over voxels, of " +
+    std::to_string(this->Samples[0]) + " x " + std::to_string(this->Samples[1]) + " x " +
+    std::to_string(this->Samples[2]) +
+    " samples, of what is linear in five tetrahedra a cell; times mass_factor";
+}
+
+std::vector<VoxelGrid> Voxelizer::collect()
+{
+  const Vector3& size = this->Frame.spacing;
+  const auto& names = this->Order.names;
+  std::vector<VoxelGrid> grids;
+  std::size_t channel = 0;
+  for (std::size_t q = 0; q < this->Quantities.size(); ++q)
+  {
+    const Quantity& quantity = this->Quantities[q];
+    const std::size_t first = channel;
+    channel += static_cast<std::size_t>(quantity.components);
+    if (!names.empty() && std::find(names.begin(), names.end(), quantity.name) == names.end())
+    {
+      continue;
+    }
+    VoxelGrid made;
+    made.name = quantity.name;
+    made.components = quantity.components;
+    made.indexToWorld = { size[0], 0, 0, 0, 0, size[1], 0, 0, 0, 0, size[2], 0, 0, 0, 0, 1 };
+    made.metadata.texts["units"] = quantity.units;
+    const double cut = quantity.components == 1 ? this->cutOf(q) : 0;
+    const double sum = this->keep(first, cut, made);
+    if (quantity.components == 1)
+    {
+      this->conserve(q, sum, cut, made);
+    }
+    grids.push_back(std::move(made));
+  }
+  return grids;
+}
+}
+
+std::vector<VoxelGrid> voxelsOf(
+  vtkStructuredGrid* grid, const VoxelOrder& order, const VoxelProgress& progress)
+{
+  int size[3];
+  grid->GetDimensions(size);
+  if (size[0] < 2 || size[1] < 2 || size[2] < 2)
+  {
+    throw VDBError("The grid of " + std::to_string(size[0]) + " x " + std::to_string(size[1]) +
+      " x " + std::to_string(size[2]) + " points has no cells; give two levels at least");
+  }
+  if (static_cast<double>(size[0]) * size[1] * size[2] > 2e9 ||
+    grid->GetNumberOfPoints() != static_cast<vtkIdType>(size[0]) * size[1] * size[2])
+  {
+    throw VDBError("The grid has " + std::to_string(grid->GetNumberOfPoints()) +
+      " points, not those of its dimensions; give one for each place");
+  }
+  return Voxelizer(grid, order).make(progress);
+}
+}

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file VDBFile.h
+ * @brief The only place that knows OpenVDB: bricks to a .vdb file and back.
+ */
+#ifndef VDBFile_h
+#define VDBFile_h
+
+#include "VoxelGrid.h"
+
+namespace nephoscope
+{
+struct VDBWriteOptions
+{
+  bool half = false; ///< 16-bit floats in the file
+  double tolerance =
+    0; ///< nodes whose values differ by no more become one tile; in the grid's unit
+};
+
+/**
+ * Write fog volumes. Voxels that are 0 are inactive.
+ * @param path written directly; who needs a file whole or not at all renames it
+ * @throw VDBError if it cannot be written
+ */
+void writeVDB(const std::string& path, const std::vector<VoxelGrid>& grids,
+  const std::vector<VDBWriteOptions>& options, const VoxelMetadata& metadata);
+
+struct VDBReadResult
+{
+  VoxelGrid grid;
+  std::vector<std::string> warnings;
+};
+
+/**
+ * Read one grid: float or double scalars, or float vectors. Level sets become fog, with a warning. Only the bytes of that grid are
+ * read, and reading past them is an error; memory before maximumVoxels is checked is at most some 40 times theirs.
+ * @param name empty: "density", else the first that can be read
+ * @param maximumVoxels active ones, tiles counted by their volume and bricks by 512
+ * @throw VDBError for what cannot be read, with the remedy
+ */
+VDBReadResult readVDB(const std::string& path, const std::string& name, double maximumVoxels);
+}
+#endif
