@@ -46,6 +46,9 @@ inline constexpr const char* Transmittance =
 inline constexpr const char* Depth =
   "Depth"; ///< 1 component, scene units along the ray to transmittance 1/2, or +inf
 
+inline constexpr const char* DisplayColor =
+  "DisplayColor"; ///< 3 components, unsigned char: sRGB of Radiance
+
 // Point arrays of horizontal grids (vtkImageData of one layer), float.
 inline constexpr const char* SunTransmittance =
   "SunTransmittance"; ///< 1 component, 0..1, what a cloud plane lets through of the sun; the image's z is the plane's

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The representation Cloud Volume in a render view, here and over a connection to a server."""
+"""The representation Cloud Volume in a render view."""
 import unittest
 
 import numpy
@@ -17,14 +17,16 @@ def picture(view):
     return vtk_to_numpy(capture.GetPointData().GetScalars()).astype(float)[:, :3].reshape(SIZE[1], SIZE[0], 3)
 
 
-def show(representation, sphere):
+def show(representation, sphere, remote_threshold=20):
     """Clouds round a globe, thinned out as ParaView's own volumes are slow; a dark sphere in their middle or not."""
-    simple.ResetSession()
+    for view in simple.GetRenderViews():
+        simple.Delete(view)
     reader = simple.CloudNetCDFReader(FileName=plugin.CLIMATE, VerticalExaggeration=20)
     thinned = simple.ExtractSubset(Input=reader, SampleRateI=4, SampleRateJ=3, SampleRateK=2)
     thinned.VOI = [0, 128, 0, 65, 0, 18]
     view = simple.CreateView("RenderView", ViewSize=SIZE, OrientationAxesVisibility=0, UseColorPaletteForBackground=0,
-                             Background=[0, 0, 0])
+                             Background=[0, 0, 0],
+                             RemoteRenderThreshold=remote_threshold)
     display = simple.Show(thinned, view)
     simple.ColorBy(display, ("POINTS", "CloudFraction"))
     display.Representation = representation

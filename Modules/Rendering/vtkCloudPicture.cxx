@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCloudPicture.h"
+
+#include "CloudArrays.h"
+#include "DisplayTransfer.h"
+#include "vtkBoundingBox.h"
+#include "vtkCamera.h"
+#include "vtkCloudBackdrop.h"
+#include "vtkCloudBody.h"
+#include "vtkCloudCellVolume.h"
+#include "vtkCloudGlobe.h"
+#include "vtkCloudSurface.h"
+#include "vtkCloudscape.h"
+#include "vtkCommand.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkCloudPicture);
+
+namespace
+{
+constexpr double Margin = 1.1;
+
+void addDisplayColor(vtkImageData* image)
+{
+  auto* const radiance =
+    vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(nephoscope::arrays::Radiance));
+  if (!radiance)
+  {
+    return;
+  }
+  const vtkNew<vtkUnsignedCharArray> color;
+  color->SetName(nephoscope::arrays::DisplayColor);
+  color->SetNumberOfComponents(3);
+  color->SetNumberOfTuples(radiance->GetNumberOfTuples());
+  std::transform(radiance->GetPointer(0), radiance->GetPointer(radiance->GetNumberOfValues()),
+    color->GetPointer(0), [](float light) { return nephoscope::srgb8(light); });
+  image->GetPointData()->AddArray(color);
+  image->GetPointData()->SetActiveScalars(nephoscope::arrays::DisplayColor);
+}
+}
+
+vtkCloudPicture::vtkCloudPicture()
+  : Volume(vtkSmartPointer<vtkCloudCellVolume>::New())
+  , Surface(vtkSmartPointer<vtkCloudSurface>::New())
+  , Globe(vtkSmartPointer<vtkCloudGlobe>::New())
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkCloudPicture::~vtkCloudPicture() = default;
+
+void vtkCloudPicture::SetVolume(vtkCloudCellVolume* volume)
+{
+  if (this->Volume != volume)
+  {
+    this->Volume = volume;
+    this->Modified();
+  }
+}
+
+vtkCloudCellVolume* vtkCloudPicture::GetVolume() const
+{
+  return this->Volume;
+}
+
+void vtkCloudPicture::SetSurface(vtkCloudSurface* surface)
+{
+  if (this->Surface != surface)
+  {
+    this->Surface = surface;
+    this->Modified();
+  }
+}
+
+vtkCloudSurface* vtkCloudPicture::GetSurface() const
+{
+  return this->Surface;
+}
+
+void vtkCloudPicture::SetGround(vtkCloudBody* ground)
+{
+  if (this->Ground != ground)
+  {
+    this->Ground = ground;
+    this->Modified();
+  }
+}
+
+vtkCloudBody* vtkCloudPicture::GetGround() const
+{
+  return this->Ground;
+}
+
+void vtkCloudPicture::SetBackdrop(vtkCloudBackdrop* backdrop)
+{
+  if (this->Backdrop != backdrop)
+  {
+    this->Backdrop = backdrop;
+    this->Modified();
+  }
+}
+
+vtkCloudBackdrop* vtkCloudPicture::GetBackdrop() const
+{
+  return this->Backdrop;
+}
+
+vtkMTimeType vtkCloudPicture::GetMTime()
+{
+  vtkMTimeType newest = this->Superclass::GetMTime();
+  const std::initializer_list<vtkObject*> parts = { this->Volume, this->Surface, this->Ground,
+    this->Backdrop };
+  for (vtkObject* part : parts)
+  {
+    newest = part ? std::max(newest, part->GetMTime()) : newest;
+  }
+  return newest;
+}
+
+int vtkCloudPicture::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1);
+  return 1;
+}
+
+int vtkCloudPicture::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  const int extent[6] = { 0, this->Size[0] - 1, 0, this->Size[1] - 1, 0, 0 };
+  const double spacing[3] = { 1, 1, 1 };
+  const double origin[3] = { 0, 0, 0 };
+  vtkInformation* const out = outputs->GetInformationObject(0);
+  out->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  out->Set(vtkDataObject::SPACING(), spacing, 3);
+  out->Set(vtkDataObject::ORIGIN(), origin, 3);
+  vtkDataObject::SetPointDataActiveScalarInfo(out, VTK_UNSIGNED_CHAR, 3);
+  return 1;
+}
+
+int vtkCloudPicture::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    vtkInformation* const in = inputs[port]->GetInformationObject(0);
+    if (in && in->Has(Pipeline::WHOLE_EXTENT()))
+    {
+      // The picture's extent says nothing about the clouds'.
+      in->Set(Pipeline::UPDATE_EXTENT(), in->Get(Pipeline::WHOLE_EXTENT()), 6);
+    }
+  }
+  return 1;
+}
+
+bool vtkCloudPicture::AddInputs(
+  vtkCloudscape* scape, vtkInformationVector** inputs, double bounds[6])
+{
+  vtkBoundingBox box;
+  bool drawn[2] = { false, false };
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    vtkDataSet* const data = vtkDataSet::GetData(inputs[port]);
+    if (!data)
+    {
+      continue;
+    }
+    const bool surface = data->IsA("vtkPolyData");
+    if (drawn[surface])
+    {
+      vtkErrorMacro("Both inputs are "
+        << (surface ? "surfaces" : "grids")
+        << "; one of each is drawn. Append surfaces to one another.");
+      return false;
+    }
+    drawn[surface] = true;
+    vtkCloudBody* const body = surface ? static_cast<vtkCloudBody*>(this->Surface) : this->Volume;
+    if (!body)
+    {
+      vtkErrorMacro("There is nothing to draw a " << data->GetClassName() << " with; call Set"
+                                                  << (surface ? "Surface." : "Volume."));
+      return false;
+    }
+    body->SetInputData(data);
+    scape->AddBody(body);
+    data->GetBounds(bounds);
+    box.AddBounds(bounds);
+  }
+  box.GetBounds(bounds);
+  return true;
+}
+
+vtkCloudBody* vtkCloudPicture::ChooseGround(vtkInformationVector** inputs)
+{
+  for (int port = 0; !this->Ground && this->AutomaticGround && port < 2; ++port)
+  {
+    vtkDataSet* const data = vtkDataSet::GetData(inputs[port]);
+    vtkFieldData* const fields = data ? data->GetFieldData() : nullptr;
+    auto* const geometry = fields
+      ? vtkStringArray::SafeDownCast(fields->GetAbstractArray(nephoscope::arrays::Geometry))
+      : nullptr;
+    vtkDataArray* const radius =
+      fields ? fields->GetArray(nephoscope::arrays::PlanetRadius) : nullptr;
+    if (geometry && radius && geometry->GetValue(0) == "Globe")
+    {
+      this->Globe->SetRadius(radius->GetComponent(0, 0));
+      return this->Globe;
+    }
+  }
+  return this->Ground;
+}
+
+void vtkCloudPicture::SetUpCamera(vtkCamera* camera, const double bounds[6]) const
+{
+  camera->SetPosition(this->Position);
+  camera->SetFocalPoint(this->FocalPoint);
+  camera->SetViewUp(this->ViewUp);
+  camera->SetViewAngle(this->ViewAngle);
+  camera->SetParallelProjection(this->ParallelProjection);
+  camera->SetParallelScale(this->ParallelScale);
+  const vtkBoundingBox box(bounds);
+  if (!this->FitToInputs || !box.IsValid())
+  {
+    return;
+  }
+  double middle[3];
+  double sight[3];
+  box.GetCenter(middle);
+  camera->GetDirectionOfProjection(sight);
+  const double radius = Margin * std::max(box.GetMaxLength() / 2, 1e-12);
+  const double across = std::min(1.0, static_cast<double>(this->Size[0]) / this->Size[1]);
+  const double half =
+    std::atan(across * std::tan(vtkMath::RadiansFromDegrees(this->ViewAngle) / 2));
+  const double distance = radius / std::sin(half);
+  camera->SetFocalPoint(middle);
+  camera->SetPosition(middle[0] - distance * sight[0], middle[1] - distance * sight[1],
+    middle[2] - distance * sight[2]);
+  camera->SetParallelScale(radius / across);
+}
+
+void vtkCloudPicture::Forward(vtkObject* scape, unsigned long, void*)
+{
+  auto* const drawing = static_cast<vtkCloudscape*>(scape);
+  this->UpdateProgress(drawing->GetProgress());
+  drawing->SetAbortExecute(this->GetAbortExecute());
+}
+
+int vtkCloudPicture::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  const vtkNew<vtkCloudscape> scape;
+  double bounds[6];
+  if (!this->AddInputs(scape, inputs, bounds))
+  {
+    return 0;
+  }
+  const vtkNew<vtkCamera> camera;
+  this->SetUpCamera(camera, bounds);
+  scape->SetCamera(camera);
+  scape->SetSize(this->Size);
+  scape->SetSamples(this->Samples);
+  scape->SetBackdrop(this->Backdrop);
+  scape->AddBody(this->ChooseGround(inputs));
+  scape->AddObserver(vtkCommand::ProgressEvent, this, &vtkCloudPicture::Forward);
+  scape->Update();
+  vtkImageData* const picture = vtkImageData::GetData(outputs);
+  picture->ShallowCopy(scape->GetOutput());
+  addDisplayColor(picture);
+  return picture->GetNumberOfPoints() > 0;
+}
+
+void vtkCloudPicture::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Volume: " << this->Volume.Get() << '\n';
+  os << indent << "Surface: " << this->Surface.Get() << '\n';
+  os << indent << "Ground: " << this->Ground.Get() << '\n';
+  os << indent << "Backdrop: " << this->Backdrop.Get() << '\n';
+  os << indent << "Size: " << this->Size[0] << " x " << this->Size[1] << '\n';
+  os << indent << "Samples: " << this->Samples << '\n';
+  os << indent << "AutomaticGround: " << this->AutomaticGround << '\n';
+  os << indent << "FitToInputs: " << this->FitToInputs << '\n';
+  os << indent << "Position: " << this->Position[0] << ' ' << this->Position[1] << ' '
+     << this->Position[2] << '\n';
+  os << indent << "FocalPoint: " << this->FocalPoint[0] << ' ' << this->FocalPoint[1] << ' '
+     << this->FocalPoint[2] << '\n';
+  os << indent << "ViewUp: " << this->ViewUp[0] << ' ' << this->ViewUp[1] << ' ' << this->ViewUp[2]
+     << '\n';
+  os << indent << "ViewAngle: " << this->ViewAngle << '\n';
+  os << indent << "ParallelProjection: " << this->ParallelProjection << '\n';
+  os << indent << "ParallelScale: " << this->ParallelScale << '\n';
+}
