@@ -293,11 +293,12 @@ void improve(const FitProblem& problem, const std::vector<int>& held, Solution& 
   ceres::Problem ceresProblem;
   buildProblem(problem, held, solution.parameters, ceresProblem);
   ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;
+  // Constants are wanted to their last digits, steps of a search are not.
+  options.linear_solver_type =
+    problem.improvement > 0 ? ceres::DENSE_NORMAL_CHOLESKY : ceres::DENSE_QR;
   options.num_threads = 1;
   options.max_num_iterations = 500;
-  options.function_tolerance =
-    0; // until it no longer falls: constants are wanted to their last digits
+  options.function_tolerance = problem.improvement;
   options.gradient_tolerance = 1e-15;
   options.parameter_tolerance = 1e-14;
   options.initial_trust_region_radius = 1e6;
@@ -325,7 +326,8 @@ Solution leastSquares(const FitProblem& problem)
     solution.parameters.push_back(p.start);
   }
   improve(problem, {}, solution);
-  for (std::size_t round = 0; round < problem.parameters.size(); ++round)
+  const std::size_t rounds = problem.improvement > 0 ? 1 : problem.parameters.size();
+  for (std::size_t round = 0; round < rounds; ++round)
   {
     const std::vector<int> held = atBounds(problem, solution.parameters);
     const std::vector<double> before = solution.parameters;
@@ -340,10 +342,22 @@ Solution leastSquares(const FitProblem& problem)
       break;
     }
   }
-  ceres::Problem all;
-  buildProblem(problem, {}, solution.parameters, all);
-  readJacobian(all, solution);
   return solution;
+}
+
+/// That the problem can be worked on.
+void check(const FitProblem& problem)
+{
+  checkParameters(problem);
+  checkCases(problem, problem.training);
+  checkCases(problem, problem.heldOut);
+  checkEnough(problem);
+  std::vector<double> start;
+  for (const FitParameter& p : problem.parameters)
+  {
+    start.push_back(p.start);
+  }
+  checkStart(problem, start);
 }
 }
 
@@ -360,33 +374,34 @@ double residualOf(const FitProblem& problem, double model, double target)
   }
 }
 
+std::vector<double> bestParameters(const FitProblem& problem)
+{
+  const QuietLog quiet;
+  check(problem);
+  return leastSquares(problem).parameters;
+}
+
 Fit solve(const FitProblem& problem)
 {
   const auto started = std::chrono::steady_clock::now();
   const QuietLog quiet;
-  checkParameters(problem);
-  checkCases(problem, problem.training);
-  checkCases(problem, problem.heldOut);
-  checkEnough(problem);
-  std::vector<double> start;
-  for (const FitParameter& p : problem.parameters)
-  {
-    start.push_back(p.start);
-  }
-  checkStart(problem, start);
-  const Solution solution = leastSquares(problem);
+  check(problem);
+  Solution found = leastSquares(problem);
+  ceres::Problem all;
+  buildProblem(problem, {}, found.parameters, all);
+  readJacobian(all, found);
   Fit fit;
   fit.name = problem.name;
   fit.residual = residualName(problem.residual);
-  fit.iterations = solution.iterations;
+  fit.iterations = found.iterations;
   for (std::size_t i = 0; i < problem.parameters.size(); ++i)
   {
     const FitParameter& p = problem.parameters[i];
-    fit.parameters.push_back({ p.name, solution.parameters[i], 0, p.lower, p.upper });
+    fit.parameters.push_back({ p.name, found.parameters[i], 0, p.lower, p.upper });
   }
-  setCovariance(fit, solution.jacobian, solution.squares);
-  fit.training = remainingError(problem, problem.training, solution.parameters);
-  fit.heldOut = remainingError(problem, problem.heldOut, solution.parameters);
+  setCovariance(fit, found.jacobian, found.squares);
+  fit.training = remainingError(problem, problem.training, found.parameters);
+  fit.heldOut = remainingError(problem, problem.heldOut, found.parameters);
   fit.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   return fit;
 }

@@ -5,7 +5,8 @@
  *
  *     minimise  1/2 sum_i  w_i rho(r_i^2),    r_i = residual(model(x_i, p), t_i),    lower <= p <= upper
  *
- * by Levenberg and Marquardt's method in Ceres, one thread, dense QR: the same bits in every run. rho is the identity or Huber's
+ * by Levenberg and Marquardt's method in Ceres, one thread, dense QR (normal equations if `improvement` is asked for): the same bits
+ * in every run. rho is the identity or Huber's
  * loss. Weights are scaled so that their mean is 1.
  *
  * Residuals, of model value m and exact value t:
@@ -78,10 +79,15 @@ struct FitProblem
   Residual residual = Residual::Absolute;
   double floor = 1e-3;    ///< of relative residuals, in the target's unit, > 0
   double robustScale = 0; ///< Huber's: residuals beyond count linearly; 0: all count squared
+  double improvement =
+    0; ///< the search ends with a step that lowers the cost by less than this share; 0: when none lowers it
 };
 
 /// @throw FitError
 Fit solve(const FitProblem& problem);
+
+/// The parameters alone, without covariance and errors: for steps of a larger search. @throw FitError
+std::vector<double> bestParameters(const FitProblem& problem);
 
 /// The residual itself; NaN if an argument is.
 double residualOf(const FitProblem& problem, double model, double target);

@@ -43,7 +43,8 @@ const std::vector<FitSubject>& fitSubjects()
 {
   static const std::vector<FitSubject> subjects{
     { "transmittance", "powers of a clipped line and clipped polynomials, to exp(-x)",
-      "optical depths of the polynomials; default 0 to each of 1, 2, 3, 4", fitTransmittance },
+      "optical depths of the polynomials; default 0 to each of 1, 2, 3, 4", fitTransmittance,
+      fitTransmittanceToDepths },
     { "phase", "phase functions in closed form, to Mie's of water droplets",
       "effective radii in um, of 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50; default all", fitPhase },
     { "slab", "effective density and albedo of single scattering, to reflectances of slabs",
@@ -55,8 +56,8 @@ const std::vector<FitSubject>& fitSubjects()
   return subjects;
 }
 
-Calibration runFit(
-  const std::string& subject, const std::optional<FitRange>& range, const FitProgress& progress)
+Calibration runFit(const std::string& subject, const std::optional<FitRange>& range,
+  const FitProgress& progress, const std::vector<double>& depths)
 {
   const std::vector<FitSubject>& all = fitSubjects();
   const auto found = std::find_if(
@@ -73,7 +74,15 @@ Calibration runFit(
     checkRange(*range);
     command << " --range " << range->from << ":" << range->to;
   }
-  return { subject, command.str(), found->run(range, progress) };
+  if (depths.empty())
+  {
+    return { subject, command.str(), found->run(range, progress) };
+  }
+  if (!found->runForDepths)
+  {
+    throw FitError("the fit '" + subject + "' takes no optical depths of a scene or a data file");
+  }
+  return { subject, command.str(), found->runForDepths(depths, range, progress) };
 }
 
 std::vector<Fit> solveAll(const std::vector<FitProblem>& problems, const FitProgress& progress)

@@ -32,6 +32,10 @@ struct FitSubject
   std::string about; ///< one line
   std::string range; ///< what a range means, with its unit and default
   std::function<std::vector<Fit>(const std::optional<FitRange>&, const FitProgress&)> run;
+  /// The same for optical depths that occur in a picture instead of the subject's own cases; empty if that makes no sense.
+  std::function<std::vector<Fit>(
+    const std::vector<double>&, const std::optional<FitRange>&, const FitProgress&)>
+    runForDepths = nullptr;
 };
 
 /// All subjects.
@@ -40,10 +44,12 @@ const std::vector<FitSubject>& fitSubjects();
 /**
  * Fit a subject.
  * @param range in place of the subject's default
- * @throw FitError with one line: no such subject (the names are listed), an empty or negative range, and those of solve()
+ * @param depths optical depths that occur, in place of the subject's cases; none: its own
+ * @throw FitError with one line: no such subject (the names are listed), an empty or negative range, depths that the subject has no use
+ *        for, and those of solve()
  */
 Calibration runFit(const std::string& subject, const std::optional<FitRange>& range,
-  const FitProgress& progress = nullptr);
+  const FitProgress& progress = nullptr, const std::vector<double>& depths = {});
 
 /// Solve problems in order and report each. What a subject's run consists of.
 std::vector<Fit> solveAll(const std::vector<FitProblem>& problems, const FitProgress& progress);

@@ -7,6 +7,7 @@
 
 #include <ceres/jet.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <sstream>
@@ -18,11 +19,58 @@ namespace
 {
 constexpr double Everything = 40; // optical depth
 
+/// Cases that take the place of the quadrature's, if there are any.
+struct DepthCases
+{
+  std::vector<FitCase> training;
+  std::vector<FitCase> heldOut;
+};
+
+/// Means of runs of equal count of the sorted depths.
+std::vector<FitCase> histogram(std::vector<double> depths)
+{
+  constexpr std::size_t Most = 2000;
+  std::sort(depths.begin(), depths.end());
+  const std::size_t steps = std::min(Most, depths.size());
+  std::vector<FitCase> cases;
+  for (std::size_t i = 0; i < steps; ++i)
+  {
+    const std::size_t first = i * depths.size() / steps;
+    const std::size_t last = (i + 1) * depths.size() / steps;
+    double sum = 0;
+    for (std::size_t k = first; k < last; ++k)
+    {
+      sum += depths[k];
+    }
+    const auto count = static_cast<double>(last - first);
+    cases.push_back({ { sum / count }, std::exp(-sum / count), count });
+  }
+  return cases;
+}
+
+DepthCases casesOf(const std::vector<double>& depths)
+{
+  std::vector<double> even;
+  std::vector<double> odd;
+  for (std::size_t i = 0; i < depths.size(); ++i)
+  {
+    (i % 2 ? odd : even).push_back(depths[i]);
+  }
+  return { histogram(even), histogram(odd) };
+}
+
 /// Quadrature in [from, to]; held out are random places and the ends.
-FitProblem problemOver(const std::string& name, double from, double to, int panels)
+FitProblem problemOver(
+  const std::string& name, double from, double to, int panels, const DepthCases& depths)
 {
   FitProblem problem;
   problem.name = name;
+  if (!depths.training.empty())
+  {
+    problem.training = depths.training;
+    problem.heldOut = depths.heldOut;
+    return problem;
+  }
   for (const QuadraturePoint& point : gaussLegendrePanels(panels, 4, from, to))
   {
     problem.training.push_back({ { point.x }, std::exp(-point.x), point.weight });
@@ -45,10 +93,10 @@ FitModel powerModel(int n)
     { return clippedPower(n, std::decay_t<decltype(*p)>(1), p[0], x[0]); });
 }
 
-void addPowers(std::vector<FitProblem>& problems, int n)
+void addPowers(std::vector<FitProblem>& problems, int n, const DepthCases& depths)
 {
   const std::string name = "power " + std::to_string(n);
-  FitProblem problem = problemOver(name + " k", 0, Everything, 1000);
+  FitProblem problem = problemOver(name + " k", 0, Everything, 1000, depths);
   problem.parameters = { { "k", 1, 0.1, 2 } };
   problem.model = powerModel(n);
   problems.push_back(problem);
@@ -120,11 +168,11 @@ FitModel polynomialOfIntegral(FitRange range)
 }
 
 template <int N>
-void addPolynomials(std::vector<FitProblem>& problems, FitRange range)
+void addPolynomials(std::vector<FitProblem>& problems, FitRange range, const DepthCases& depths)
 {
   std::ostringstream name;
   name << "polynomial " << N << " to " << range.to;
-  FitProblem problem = problemOver(name.str(), range.from, range.to, 100);
+  FitProblem problem = problemOver(name.str(), range.from, range.to, 100, depths);
   problem.parameters = coefficients(0, N);
   problem.model = freePolynomial<N>(range.to);
   problems.push_back(problem);
@@ -139,14 +187,14 @@ void addPolynomials(std::vector<FitProblem>& problems, FitRange range)
   problem.model = polynomialOfIntegral<N>(range);
   problems.push_back(problem);
 }
-}
 
-std::vector<Fit> fitTransmittance(const std::optional<FitRange>& range, const FitProgress& progress)
+std::vector<Fit> fitAll(
+  const DepthCases& depths, const std::optional<FitRange>& range, const FitProgress& progress)
 {
   std::vector<FitProblem> problems;
   for (const int n : { 2, 3, 4 })
   {
-    addPowers(problems, n);
+    addPowers(problems, n, depths);
   }
   std::vector<FitRange> ranges{ { 0, 1 }, { 0, 2 }, { 0, 3 }, { 0, 4 } };
   if (range)
@@ -155,10 +203,29 @@ std::vector<Fit> fitTransmittance(const std::optional<FitRange>& range, const Fi
   }
   for (const FitRange& each : ranges)
   {
-    addPolynomials<2>(problems, each);
-    addPolynomials<3>(problems, each);
-    addPolynomials<4>(problems, each);
+    addPolynomials<2>(problems, each, depths);
+    addPolynomials<3>(problems, each, depths);
+    addPolynomials<4>(problems, each, depths);
   }
   return solveAll(problems, progress);
+}
+}
+
+std::vector<Fit> fitTransmittance(const std::optional<FitRange>& range, const FitProgress& progress)
+{
+  return fitAll({}, range, progress);
+}
+
+std::vector<Fit> fitTransmittanceToDepths(const std::vector<double>& depths,
+  const std::optional<FitRange>& range, const FitProgress& progress)
+{
+  const auto bad = std::find_if(depths.begin(), depths.end(),
+    [](double depth) { return !(depth >= 0) || !std::isfinite(depth); });
+  if (bad != depths.end())
+  {
+    throw FitError("transmittance: an optical depth is " + std::to_string(*bad) +
+      ", which is negative or not finite");
+  }
+  return fitAll(casesOf(depths), range, progress);
 }
 }

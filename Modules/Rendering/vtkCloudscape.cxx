@@ -262,6 +262,11 @@ int vtkCloudscape::GetNumberOfBodies() const
   return static_cast<int>(this->Bodies.size());
 }
 
+vtkCloudBody* vtkCloudscape::GetBody(int index) const
+{
+  return index >= 0 && index < this->GetNumberOfBodies() ? this->Bodies[index].Get() : nullptr;
+}
+
 vtkMTimeType vtkCloudscape::GetMTime()
 {
   vtkMTimeType newest = this->Superclass::GetMTime();

@@ -97,6 +97,7 @@ public:
   void AddBody(vtkCloudBody* body);
   void RemoveAllBodies();
   int GetNumberOfBodies() const;
+  vtkCloudBody* GetBody(int index) const; ///< in the order they were added; null if there is none
   ///@}
 
   ///@{

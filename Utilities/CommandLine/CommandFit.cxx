@@ -1,20 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// nephoscope fit: constants of an approximation, fitted to its exact integrals.
+// nephoscope fit: constants of an approximation, fitted to its exact integrals; densities as sums of Gaussians.
 #include "Commands.h"
 #include "Failure.h"
+#include "FitData.h"
 #include "Messages.h"
 #include "OutputFile.h"
+#include "Progress.h"
+#include "SceneFile.h"
 
 #include <CLI/CLI.hpp>
 #include <CalibrationFile.h>
 #ifdef NEPHOSCOPE_FITS
+#include <FitDensity.h>
 #include <FitSubjects.h>
 #endif
 
+#include <algorithm>
 #include <cstdio>
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <sstream>
 
 namespace nephoscope::program
 {
@@ -25,6 +31,12 @@ struct FitOptions
   std::string what;
   std::string range; ///< "a:b", or empty
   std::string output;
+  std::string scene; ///< a file, or empty
+  Data data;
+  std::vector<double> column; ///< longitude and latitude, or empty
+  std::vector<double> box;    ///< as Box, or empty
+  double tolerance = 0.05;
+  int terms = 32;
 };
 
 #ifdef NEPHOSCOPE_FITS
@@ -43,11 +55,95 @@ std::optional<FitRange> rangeOf(const std::string& text)
   return range;
 }
 
+Scene sceneOf(const FitOptions& options)
+{
+  return options.scene.empty() ? sceneOfStyle("volume", options.data.file)
+                               : readScene(options.scene);
+}
+
+/// The options that say where cases come from, as they were given.
+std::string sourceOf(const FitOptions& options)
+{
+  std::ostringstream text;
+  text.precision(12);
+  text << (options.scene.empty() ? " --data " + options.data.file : " --scene " + options.scene);
+  const auto list = [&text](const char* name, const std::vector<double>& numbers)
+  {
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+    {
+      text << (i ? "," : name) << numbers[i];
+    }
+  };
+  list(" --column ", options.column);
+  list(" --box ", options.box);
+  text << (options.data.time ? " --time " + *options.data.time : "");
+  return text.str();
+}
+
+DensityGrid densityOf(const FitOptions& options, Progress& progress)
+{
+  std::optional<Box> box;
+  if (!options.box.empty())
+  {
+    box.emplace();
+    std::copy(options.box.begin(), options.box.end(), box->begin());
+  }
+  if (!options.column.empty() && !options.data.file.empty())
+  {
+    return columnOf(options.data, { options.column[0], options.column[1] });
+  }
+  if (!options.scene.empty() && box)
+  {
+    return volumeOf(readScene(options.scene), *box, progress);
+  }
+  if (extensionOf(options.data.file) == "vti")
+  {
+    return volumeOf(options.data.file, box);
+  }
+  throw UsageFailure("fit density needs a density: --data FILE.nc --column LON,LAT, or --data "
+                     "FILE.vti, or --scene FILE --box X0,X1,Y0,Y1,Z0,Z1");
+}
+
+Calibration fittedDensity(const FitOptions& options)
+{
+  Progress progress;
+  const DensityGrid density = densityOf(options, progress);
+  std::ostringstream command;
+  command << "nephoscope fit density" << sourceOf(options) << " --tolerance " << options.tolerance
+          << " --terms " << options.terms;
+  return { "density", command.str(), fitDensity(density, { options.tolerance, options.terms }) };
+}
+
+Calibration fittedConstants(const FitOptions& options)
+{
+  const std::optional<FitRange> range = rangeOf(options.range);
+  if (options.scene.empty() && options.data.file.empty())
+  {
+    return runFit(options.what, range);
+  }
+  for (const FitSubject& subject : fitSubjects())
+  {
+    if (subject.name == options.what && !subject.runForDepths)
+    {
+      throw UsageFailure("fit " + options.what + " takes no --scene or --data");
+    }
+  }
+  Progress progress;
+  Calibration calibration =
+    runFit(options.what, range, nullptr, depthsOf(sceneOf(options), progress));
+  calibration.command += sourceOf(options);
+  return calibration;
+}
+
 Calibration fitted(const FitOptions& options)
 {
+  if (!options.scene.empty() && !options.data.file.empty())
+  {
+    throw UsageFailure("give either --scene or --data; see nephoscope fit --help");
+  }
   try
   {
-    return runFit(options.what, rangeOf(options.range));
+    return options.what == "density" ? fittedDensity(options) : fittedConstants(options);
   }
   catch (const FitError& error)
   {
@@ -57,7 +153,10 @@ Calibration fitted(const FitOptions& options)
 
 std::string subjectList()
 {
-  std::string text = "What can be fitted, and what --range means there:\n";
+  std::string text =
+    "What can be fitted, and what --range means there:\n"
+    "  density: the fewest Gaussians that meet a tolerance, to the extinction of a "
+    "column or a volume; no range\n";
   for (const FitSubject& subject : fitSubjects())
   {
     text += "  " + subject.name + ": " + subject.about + "; " + subject.range + "\n";
@@ -86,9 +185,13 @@ void print(const Calibration& calibration)
     {
       std::cout << ' ' << p.name << ' ' << p.value;
     }
-    std::cout << std::setprecision(3) << "; " << fit.residual << " error rms " << fit.heldOut.rms
-              << ", 95 % " << fit.heldOut.p95 << ", max " << fit.heldOut.max << "; "
-              << fit.iterations << " iterations, " << fit.seconds << " s\n";
+    if (fit.heldOut.cases > 0) // a part of a sum has no error of its own
+    {
+      std::cout << std::setprecision(3) << "; " << fit.residual << " error rms " << fit.heldOut.rms
+                << ", 95 % " << fit.heldOut.p95 << ", max " << fit.heldOut.max << "; "
+                << fit.iterations << " iterations, " << fit.seconds << " s";
+    }
+    std::cout << '\n';
     for (const std::string& warning : fit.warnings)
     {
       note(fit.name + ": " + warning);
@@ -115,6 +218,42 @@ void runFitCommand(const FitOptions& options)
 }
 }
 
+namespace
+{
+void addSources(CLI::App& command, FitOptions& options)
+{
+  command
+    .add_option("--scene", options.scene,
+      "scene whose rays' optical depths are the cases (transmittance), or whose heightField is the "
+      "density")
+    ->type_name("FILE.yaml");
+  command
+    .add_option("--data", options.data.file,
+      "data file instead: NetCDF, seen as a volume (transmittance) or its column (density); or VTK "
+      "image with an array Extinction (density)")
+    ->type_name("FILE");
+  command.add_option("--time", options.data.time, "time step of the data file; default 0")
+    ->type_name("T");
+  command.add_option("--column", options.column, "longitude and latitude of the column, degrees")
+    ->type_name("LON,LAT")
+    ->delimiter(',')
+    ->expected(2);
+  command.add_option("--box", options.box, "part of the scene or the image, m")
+    ->type_name("X0,X1,Y0,Y1,Z0,Z1")
+    ->delimiter(',')
+    ->expected(6);
+  command
+    .add_option("--tolerance", options.tolerance,
+      "of the density's line integrals, relative rms; default 0.05")
+    ->type_name("E")
+    ->check(numberFrom(1e-6, 1));
+  command.add_option("--terms", options.terms, "Gaussians at most; default 32")
+    ->type_name("N")
+    ->check(CLI::Range(1, 100));
+  addVariableOption(command, options.data.variables);
+}
+}
+
 void addFit(CLI::App& app)
 {
   auto options = std::make_shared<FitOptions>();
@@ -125,12 +264,15 @@ void addFit(CLI::App& app)
     ->required();
   command->add_option("--range", options->range, "range of the cases; default: see below")
     ->type_name("A:B");
+  addSources(*command, *options);
   command
     ->add_option("-o,--output", options->output,
       "JSON file for the constants, with their errors; the same bytes in every run")
     ->type_name("FILE.json");
-  command->footer(
-    subjectList() + "Example:\n  nephoscope fit transmittance --range 0:3 -o transmittance.json");
+  command->footer(subjectList() +
+    "Examples:\n  nephoscope fit transmittance --range 0:3 -o transmittance.json\n"
+    "  nephoscope fit transmittance --scene clouds.yaml\n"
+    "  nephoscope fit density --data climate.nc --column 30,10 --tolerance 0.01 -o column.json");
   command->callback([options] { runFitCommand(*options); });
 }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The constants against a table worked out independently, by another program's least squares and exchange algorithm.
+#include "ClippedTransmittance.h"
 #include "FitErrorText.h"
 
 #include <gmock/gmock.h>
@@ -161,4 +162,56 @@ TEST(FitTransmittance, TakesARangeAndRefusesNonsense)
   EXPECT_THAT(fitErrorOf("transmittance", { 0, std::nan("") }), HasSubstr("is empty"));
   EXPECT_THAT(fitErrorOf("transmitance", { 0, 1 }),
     HasSubstr("there is no fit 'transmitance'; there are transmittance"));
+}
+
+// Depths of a picture of thin cloud: the constants are those of thin cloud, and better there than the ones for all depths; the held-out
+// errors are as the training's. Depths of exactly two values are met by what has two constants.
+TEST(FitTransmittance, TakesTheDepthsThatOccur)
+{
+  std::vector<double> depths;
+  for (int i = 0; i < 5000; ++i)
+  {
+    depths.push_back(0.5 * (1 + std::sin(0.7 * i * i)));
+  }
+  const Calibration own = runFit("transmittance", std::nullopt, nullptr, depths);
+  const Fit& k = own.fit("power 2 k");
+  EXPECT_EQ(k.training.cases, 2000);
+  EXPECT_EQ(k.heldOut.cases, 2000);
+  EXPECT_NEAR(k.heldOut.rms, k.training.rms, 0.1 * k.training.rms);
+  const double all = calibration().fit("power 2 k").value("k");
+  double squares = 0;
+  for (const double x : depths)
+  {
+    const double error = nephoscope::clippedPower(2, 1.0, all, x) - std::exp(-x);
+    squares += error * error / static_cast<double>(depths.size());
+  }
+  EXPECT_LT(k.heldOut.rms, 0.7 * std::sqrt(squares));
+
+  std::vector<double> twoDepths;
+  for (int i = 0; i < 40; ++i)
+  {
+    twoDepths.push_back(i % 4 < 2 ? 0.2 : 1);
+  }
+  const Calibration two = runFit("transmittance", FitRange{ 0, 1.5 }, nullptr, twoDepths);
+  EXPECT_LT(two.fit("power 2 gain k").heldOut.max, 1e-9);
+  EXPECT_FALSE(two.fit("polynomial 4 to 1.5").warnings.empty());
+}
+
+TEST(FitTransmittance, RefusesDepthsThatDoNotFixIt)
+{
+  const auto refusal = [](const std::string& subject, const std::vector<double>& depths)
+  {
+    try
+    {
+      runFit(subject, std::nullopt, nullptr, depths);
+    }
+    catch (const nephoscope::FitError& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_THAT(refusal("transmittance", { 1 }), HasSubstr("1 case does not fix 1 parameters"));
+  EXPECT_THAT(refusal("transmittance", { 1, 2, std::nan(""), 3, 5, 6 }), HasSubstr("not finite"));
+  EXPECT_THAT(refusal("slab", { 1, 2 }), HasSubstr("the fit 'slab' takes no optical depths"));
 }
