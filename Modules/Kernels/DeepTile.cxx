@@ -142,14 +142,23 @@ std::uint32_t DeepTile::addSource(const RGB& source)
 
 bool DeepTile::startSum(std::uint32_t source)
 {
-  this->Summing = this->Last && !this->DepthWanted && this->OnlyOpaque && this->NumberOfPieces == 0;
-  if (this->Summing)
+  if (this->Last && !this->DepthWanted && this->OnlyOpaque && this->NumberOfPieces == 0)
   {
+    this->beginSum(source);
+  }
+  return this->Summing;
+}
+
+/// Unless it has begun.
+void DeepTile::beginSum(std::uint32_t source)
+{
+  if (!this->Summing)
+  {
+    this->Summing = true;
     this->SumSource = source;
     this->OpticalDepths.assign(
       static_cast<std::size_t>(this->rowLength()) * this->Extent.height, 0);
   }
-  return this->Summing;
 }
 
 /// What lies behind the medium whose optical depths were summed is opaque: no part of it is before the medium.

@@ -131,6 +131,16 @@ public:
     hidden = distance < hidden ? distance : hidden;
   }
 
+  /// Forget what was added, but not what it hides: someone else draws it.
+  void keepLimitsOnly();
+
+  /// Append what was added, kept or summed, as bytes for a tile of the same extent in another process of the same machine type;
+  /// nothing is appended if nothing was added.
+  void pack(std::vector<char>& bytes) const;
+  /// Add what a tile packed. Sums are of one source in all tiles that are put together, and what else is there is opaque and
+  /// was known to the tiles that summed.
+  void addPacked(const std::vector<char>& bytes);
+
   /// Those that were added, kept or summed.
   std::size_t numberOfSegments() const
   {
@@ -150,6 +160,7 @@ private:
   static constexpr int PixelBits = 20;
   static constexpr std::uint32_t PixelMask = (1U << PixelBits) - 1;
 
+  void beginSum(std::uint32_t source);
   PixelLight compositeAny(Segment* begin, Segment* end, MediumPiece* first, MediumPiece* last);
   PixelLight compositeLayers(Segment* begin, Segment* end, MediumPiece* first, MediumPiece* last);
   void putBehindSum(PixelLight& light, double opticalDepth) const;

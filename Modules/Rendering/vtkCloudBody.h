@@ -47,6 +47,13 @@ public:
     return false;
   }
 
+  /// Whether each of several processes draws its own piece of the input. Of other bodies all processes have the whole, and it is
+  /// drawn once.
+  virtual bool DrawsPieces() const
+  {
+    return false;
+  }
+
   /// Cells (of the input or of the body's own shape) that the last Prepare found worth drawing.
   virtual vtkIdType GetNumberOfDrawnCells() const
   {

@@ -151,6 +151,11 @@ public:
   void Emit(const nephoscope::Camera& camera, nephoscope::DeepTile& tile) const override;
 #endif
 
+  bool DrawsPieces() const override
+  {
+    return true;
+  }
+
   /// Cells that are not empty, of the columns that may touch the picture.
   vtkIdType GetNumberOfDrawnCells() const override;
 

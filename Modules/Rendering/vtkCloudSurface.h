@@ -132,6 +132,8 @@ public:
   vtkGetMacro(TextureSeed, int);
   ///@}
 
+  bool DrawsPieces() const override { return true; }
+
 #ifndef __VTK_WRAP__
   bool Prepare(const nephoscope::Camera& camera) override;
   void Emit(const nephoscope::Camera& camera, nephoscope::DeepTile& tile) const override;

@@ -2,29 +2,24 @@
 #include "vtkCloudscape.h"
 
 #include "Camera.h"
-#include "CloudArrays.h"
-#include "DeepTile.h"
+#include "RankedTiles.h"
+#include "TileDrawer.h"
 #include "vtkCamera.h"
 #include "vtkCloudBackdrop.h"
 #include "vtkCloudBody.h"
+#include "vtkCommunicator.h"
+#include "vtkDataSet.h"
 #include "vtkExecutive.h"
-#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkSMPThreadLocal.h"
-#include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTimerLog.h"
 
 #include <algorithm>
-#include <atomic>
-#include <limits>
-#include <mutex>
-#include <thread>
+#include <memory>
 
 vtkStandardNewMacro(vtkCloudscape);
 
@@ -51,160 +46,6 @@ nephoscope::Camera cameraOf(vtkCamera* camera, double cylinderAngle, const int s
     : nephoscope::Camera::perspective(eye, target, up, camera->GetViewAngle(), size[0], size[1]);
 }
 
-/// The picture's arrays, as plain rows of pixels.
-struct Picture
-{
-  int Width;
-  int Height;
-  float* Radiance;
-  float* Transmittance;
-  float* Depth;
-
-  static float* NewArray(vtkImageData* image, const char* name, int components)
-  {
-    vtkNew<vtkFloatArray> array;
-    array->SetName(name);
-    array->SetNumberOfComponents(components);
-    array->SetNumberOfTuples(image->GetNumberOfPoints());
-    image->GetPointData()->AddArray(array);
-    return array->GetPointer(0);
-  }
-};
-
-/// Draws tile after tile; each thread has a deep tile of its own.
-class TileDrawer
-{
-public:
-  TileDrawer(vtkCloudscape* scape, const nephoscope::Camera& camera,
-    const std::vector<vtkCloudBody*>& bodies, const Picture& picture)
-    : Scape(scape)
-    , Camera(camera)
-    , Bodies(bodies)
-    , Backdrop(scape->GetBackdrop())
-    , Image(picture)
-    , Edge(scape->GetTileSize())
-    , Samples(scape->GetSamples())
-    , TilesAcross((picture.Width + this->Edge - 1) / this->Edge)
-    , Caller(std::this_thread::get_id())
-  {
-  }
-
-  vtkIdType GetNumberOfTiles() const
-  {
-    return static_cast<vtkIdType>(this->TilesAcross) *
-      ((this->Image.Height + this->Edge - 1) / this->Edge);
-  }
-  vtkIdType GetNumberOfSegments() const { return this->Segments; }
-
-  void operator()(vtkIdType begin, vtkIdType end)
-  {
-    for (vtkIdType tile = begin; tile < end; ++tile)
-    {
-      if (this->Scape->GetAbortExecute())
-      {
-        return;
-      }
-      this->Draw(tile);
-      const vtkIdType done = ++this->Done;
-      if (std::this_thread::get_id() == this->Caller)
-      {
-        this->Scape->UpdateProgress(static_cast<double>(done) / this->GetNumberOfTiles());
-      }
-    }
-  }
-
-private:
-  void Draw(vtkIdType number)
-  {
-    Local& local = this->Locals.Local();
-    const int x0 = static_cast<int>(number % this->TilesAcross) * this->Edge;
-    const int y0 = static_cast<int>(number / this->TilesAcross) * this->Edge;
-    const nephoscope::TileExtent pixels{ x0, y0, std::min(this->Edge, this->Image.Width - x0),
-      std::min(this->Edge, this->Image.Height - y0) };
-    const int n = this->Samples;
-    local.Tile.reset({ n * pixels.x0, n * pixels.y0, n * pixels.width, n * pixels.height });
-    local.Tile.setDepthWanted(this->Scape->GetComputeDepth());
-    for (std::size_t body = 0; body < this->Bodies.size(); ++body)
-    {
-      if (body + 1 == this->Bodies.size())
-      {
-        local.Tile.setLast();
-      }
-      this->Bodies[body]->Emit(this->Camera, local.Tile);
-    }
-    this->Segments += static_cast<vtkIdType>(local.Tile.numberOfSegments());
-    local.Tile.composite(local.Light);
-    local.Depths.resize(static_cast<std::size_t>(n) * n);
-    for (int y = 0; y < pixels.height; ++y)
-    {
-      for (int x = 0; x < pixels.width; ++x)
-      {
-        this->WritePixel(pixels, x, y, local);
-      }
-    }
-  }
-
-  struct Local;
-  /// The mean of the pixel's samples, the backdrop behind them; the median of their depths.
-  void WritePixel(const nephoscope::TileExtent& pixels, int x, int y, Local& local)
-  {
-    const int n = this->Samples;
-    double radiance[3] = { 0, 0, 0 };
-    double transmittance[3] = { 0, 0, 0 };
-    std::size_t sample = 0;
-    for (int j = n * y; j < n * (y + 1); ++j)
-    {
-      for (int i = n * x; i < n * (x + 1); ++i, ++sample)
-      {
-        const nephoscope::PixelLight& light =
-          local.Light[static_cast<std::size_t>(j) * n * pixels.width + i];
-        float behind[3] = { 0, 0, 0 };
-        if (this->Backdrop)
-        {
-          const nephoscope::Ray ray =
-            this->Camera.ray(n * pixels.x0 + i + 0.5, n * pixels.y0 + j + 0.5);
-          this->Backdrop->GetRadiance(ray.direction.v, behind);
-        }
-        for (int c = 0; c < 3; ++c)
-        {
-          radiance[c] += light.radiance[c] + light.transmittance[c] * behind[c];
-          transmittance[c] += light.transmittance[c];
-        }
-        local.Depths[sample] = light.depth;
-      }
-    }
-    const std::size_t at =
-      static_cast<std::size_t>(pixels.y0 + y) * this->Image.Width + pixels.x0 + x;
-    for (int c = 0; c < 3; ++c)
-    {
-      this->Image.Radiance[3 * at + c] = static_cast<float>(radiance[c] / (n * n));
-      this->Image.Transmittance[3 * at + c] = static_cast<float>(transmittance[c] / (n * n));
-    }
-    const auto middle = local.Depths.begin() + (n * n - 1) / 2;
-    std::nth_element(local.Depths.begin(), middle, local.Depths.end());
-    this->Image.Depth[at] = static_cast<float>(*middle);
-  }
-
-  struct Local
-  {
-    nephoscope::DeepTile Tile;
-    std::vector<nephoscope::PixelLight> Light;
-    std::vector<double> Depths;
-  };
-
-  vtkCloudscape* Scape;
-  const nephoscope::Camera& Camera;
-  const std::vector<vtkCloudBody*>& Bodies;
-  const vtkCloudBackdrop* Backdrop;
-  Picture Image;
-  int Edge;
-  int Samples;
-  int TilesAcross;
-  std::thread::id Caller;
-  std::atomic<vtkIdType> Done{ 0 };
-  std::atomic<vtkIdType> Segments{ 0 };
-  vtkSMPThreadLocal<Local> Locals;
-};
 }
 
 vtkCloudscape::vtkCloudscape()
@@ -240,6 +81,20 @@ void vtkCloudscape::SetBackdrop(vtkCloudBackdrop* backdrop)
 vtkCloudBackdrop* vtkCloudscape::GetBackdrop() const
 {
   return this->Backdrop;
+}
+
+void vtkCloudscape::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Controller != controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkCloudscape::GetController() const
+{
+  return this->Controller;
 }
 
 void vtkCloudscape::AddBody(vtkCloudBody* body)
@@ -317,18 +172,50 @@ bool vtkCloudscape::Validate()
   return true;
 }
 
+bool vtkCloudscape::IsOfSeveralRanks() const
+{
+  return this->Controller && this->Controller->GetNumberOfProcesses() > 1;
+}
+
 void vtkCloudscape::UpdateBodies()
 {
   for (const auto& body : this->Bodies)
   {
-    for (int port = 0; port < body->GetNumberOfInputPorts(); ++port)
+    this->UpdateInputs(body);
+  }
+}
+
+/// Brings a body's inputs up to date: all of them, or this process's piece.
+void vtkCloudscape::UpdateInputs(vtkCloudBody* body)
+{
+  const bool pieces = this->IsOfSeveralRanks() && body->DrawsPieces();
+  const int piece = pieces ? this->Controller->GetLocalProcessId() : 0;
+  const int all = pieces ? this->Controller->GetNumberOfProcesses() : 1;
+  for (int port = 0; port < body->GetNumberOfInputPorts(); ++port)
+  {
+    for (int connection = 0; connection < body->GetNumberOfInputConnections(port); ++connection)
     {
-      for (int connection = 0; connection < body->GetNumberOfInputConnections(port); ++connection)
+      vtkAlgorithm* const source = body->GetInputAlgorithm(port, connection);
+      if (this->IsOfSeveralRanks())
       {
-        body->GetInputAlgorithm(port, connection)->Update();
+        source->UpdatePiece(piece, all, 0);
+      }
+      else
+      {
+        source->Update();
       }
     }
   }
+}
+
+/// Whether there is anything of a body in this process.
+bool vtkCloudscape::HasPieceOf(vtkCloudBody* body) const
+{
+  auto* const data = body->GetNumberOfInputPorts() > 0
+    ? vtkDataSet::SafeDownCast(body->GetInputDataObject(0, 0))
+    : nullptr;
+  return !this->IsOfSeveralRanks() || !body->DrawsPieces() || !data ||
+    data->GetNumberOfPoints() > 0;
 }
 
 int vtkCloudscape::RequestInformation(
@@ -357,42 +244,85 @@ int vtkCloudscape::RequestData(
   const double updated = vtkTimerLog::GetUniversalTime();
 
   const int rays[2] = { this->Samples * this->Size[0], this->Samples * this->Size[1] };
-  const nephoscope::Camera camera = cameraOf(this->Camera, this->CylinderAngle, rays);
-  std::vector<vtkCloudBody*> bodies(this->Bodies.begin(), this->Bodies.end());
-  std::stable_partition(
-    bodies.begin(), bodies.end(), [](const vtkCloudBody* body) { return body->IsOpaque(); });
-  for (vtkCloudBody* body : bodies)
+  TileScene scene{ cameraOf(this->Camera, this->CylinderAngle, rays),
+    { this->Bodies.begin(), this->Bodies.end() }, this->Backdrop, this->Size[0], this->Size[1],
+    this->TileSize, this->Samples, this->ComputeDepth };
+  std::stable_partition(scene.Bodies.begin(), scene.Bodies.end(),
+    [](const vtkCloudBody* body) { return body->IsOpaque(); });
+  const bool sums = sumsMayBeSent(scene);
+  if (!this->PrepareBodies(scene))
   {
-    if (!body->Prepare(camera))
-    {
-      vtkErrorMacro("A " << body->GetClassName() << " cannot be drawn; see its own message.");
-      return 0;
-    }
+    return 0;
   }
   const double prepared = vtkTimerLog::GetUniversalTime();
 
   vtkImageData* const image = vtkImageData::GetData(outputs);
-  image->SetDimensions(this->Size[0], this->Size[1], 1);
-  image->SetSpacing(1, 1, 1);
-  image->SetOrigin(0, 0, 0);
-  const Picture picture{ this->Size[0], this->Size[1],
-    Picture::NewArray(image, nephoscope::arrays::Radiance, 3),
-    Picture::NewArray(image, nephoscope::arrays::Transmittance, 3),
-    Picture::NewArray(image, nephoscope::arrays::Depth, 1) };
-  image->GetPointData()->SetActiveScalars(nephoscope::arrays::Radiance);
-
-  TileDrawer drawer(this, camera, bodies, picture);
-  vtkSMPTools::For(0, drawer.GetNumberOfTiles(), 1, drawer);
-  this->NumberOfSegments = drawer.GetNumberOfSegments();
+  const bool drawn = this->DrawAll(scene, sums, image);
   this->PipelineSeconds = updated - started;
   this->PrepareSeconds = prepared - updated;
   this->TileSeconds = vtkTimerLog::GetUniversalTime() - prepared;
-  if (this->GetAbortExecute())
+  if (!drawn)
   {
     image->Initialize();
     return 0;
   }
   return 1;
+}
+
+/// Gets bodies ready; leaves in the scene those that have something in this process.
+bool vtkCloudscape::PrepareBodies(TileScene& scene)
+{
+  std::vector<vtkCloudBody*> here;
+  int ready = 1;
+  for (vtkCloudBody* body : scene.Bodies)
+  {
+    if (this->IsOfSeveralRanks())
+    {
+      this->UpdateInputs(body); // another body may have asked the same pipeline for another piece
+    }
+    if (!this->HasPieceOf(body))
+    {
+      continue;
+    }
+    here.push_back(body);
+    if (!body->Prepare(scene.Camera))
+    {
+      vtkErrorMacro("A " << body->GetClassName() << " cannot be drawn; see its own message.");
+      ready = 0;
+      break;
+    }
+  }
+  scene.Bodies = here;
+  int allReady = ready;
+  if (this->IsOfSeveralRanks())
+  {
+    this->Controller->AllReduce(&ready, &allReady, 1, vtkCommunicator::MIN_OP);
+  }
+  if (ready && !allReady)
+  {
+    vtkErrorMacro("Another process cannot draw its piece; see its message.");
+  }
+  return allReady != 0;
+}
+
+/// Returns false if it was aborted.
+bool vtkCloudscape::DrawAll(const TileScene& scene, bool sums, vtkImageData* image)
+{
+  std::unique_ptr<TilePicture> picture;
+  if (!this->IsOfSeveralRanks() || this->Controller->GetLocalProcessId() == 0)
+  {
+    image->SetDimensions(this->Size[0], this->Size[1], 1);
+    image->SetSpacing(1, 1, 1);
+    image->SetOrigin(0, 0, 0);
+    picture = std::make_unique<TilePicture>(image);
+  }
+  if (this->IsOfSeveralRanks())
+  {
+    return drawRankedTiles(
+      this, this->Controller, scene, sums, picture.get(), this->NumberOfSegments);
+  }
+  this->NumberOfSegments = drawTiles(this, scene, *picture);
+  return !this->GetAbortExecute();
 }
 
 void vtkCloudscape::PrintSelf(ostream& os, vtkIndent indent)
@@ -404,6 +334,7 @@ void vtkCloudscape::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Samples: " << this->Samples << '\n';
   os << indent << "ComputeDepth: " << this->ComputeDepth << '\n';
   os << indent << "Camera: " << this->Camera.Get() << '\n';
+  os << indent << "Controller: " << this->Controller.Get() << '\n';
   os << indent << "Backdrop: " << this->Backdrop.Get() << '\n';
   os << indent << "Bodies: " << this->Bodies.size() << '\n';
   os << indent << "NumberOfSegments: " << this->NumberOfSegments << '\n';

@@ -10,6 +10,13 @@
  * So translucent surfaces, volumes and opaque things interpenetrate correctly. A part that a scene does not name costs
  * nothing. No display and no OpenGL is needed.
  *
+ * With a controller of several processes the picture is theirs together: of the bodies that draw pieces (vtkCloudBody::DrawsPieces;
+ * cells and surfaces) each process updates its own piece, as given by UpdatePiece, and draws that; the others are the same in all
+ * processes. The segments of each deep pixel come together in one process, are sorted and composited as those of one process are
+ * (RankedTiles.h): no order of pieces is needed, and they may interlock. Update is then to be called by all, with the same scene; the
+ * picture is the output of process 0, the others' is empty. A piece may be empty. Data that are given to a body directly, without
+ * a pipeline, are the process's own piece.
+ *
  * Input    none; bodies have their own pipelines, which are brought up to date first.
  * Output   vtkImageData of Size, spacing 1, point arrays (float):
  *            Radiance       3, linear RGB
@@ -18,7 +25,7 @@
  *                           it does not; with several rays a pixel, the median of theirs
  * Parameters: see the setters.
  * Method   L = L_body + T_body L_backdrop, the equation of nephoscope::Segment.
- * Errors   no camera, a size that is not positive or, times Samples, over 32768, a body that cannot be prepared: vtkErrorMacro, an
+ * Errors   of several processes the same in all. No camera, a size that is not positive or, times Samples, over 32768, a body that cannot be prepared: vtkErrorMacro, an
  *          empty output.
  * Cost     that of the bodies plus O(n log n) for the n segments of each pixel. Memory is that of the picture and of
  *          one tile's segments a thread. The same bits for any number of threads. Reports progress and can be aborted.
@@ -36,6 +43,9 @@
 class vtkCamera;
 class vtkCloudBackdrop;
 class vtkCloudBody;
+class vtkImageData;
+class vtkMultiProcessController;
+struct TileScene;
 
 class VTKCLOUDRENDERING_EXPORT vtkCloudscape : public vtkImageAlgorithm
 {
@@ -101,6 +111,12 @@ public:
   ///@}
 
   ///@{
+  /// Processes that draw the picture together. Default none: this one alone draws all of it.
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController() const;
+  ///@}
+
+  ///@{
   /// Figures of the last run: segments composited; seconds that the bodies' pipelines, their preparation and the tiles took.
   vtkGetMacro(NumberOfSegments, vtkIdType);
   vtkGetMacro(PipelineSeconds, double);
@@ -123,10 +139,16 @@ private:
   void operator=(const vtkCloudscape&) = delete;
 
   bool Validate();
+  bool IsOfSeveralRanks() const;
   void UpdateBodies();
+  void UpdateInputs(vtkCloudBody* body);
+  bool HasPieceOf(vtkCloudBody* body) const;
+  bool PrepareBodies(TileScene& scene);
+  bool DrawAll(const TileScene& scene, bool sums, vtkImageData* image);
 
   vtkSmartPointer<vtkCamera> Camera;
   vtkSmartPointer<vtkCloudBackdrop> Backdrop;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
   std::vector<vtkSmartPointer<vtkCloudBody>> Bodies;
   double CylinderAngle = 0;
   int Size[2] = { 1024, 768 };

@@ -69,7 +69,7 @@ endif ()
 set(Nephoscope_VTK_COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
   FiltersCore FiltersFlowPaths FiltersGeneral FiltersGeometry FiltersHybrid FiltersSources
-  IOCore IOImage IOXML RenderingCore RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2)
+  IOCore IOImage IOXML ParallelCore RenderingCore RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2)
 if (Nephoscope_WRAP_PYTHON)
   list(APPEND Nephoscope_VTK_COMPONENTS WrappingPythonCore WrappingTools)
 endif ()

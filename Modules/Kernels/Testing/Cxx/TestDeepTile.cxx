@@ -174,3 +174,122 @@ TEST(DeepTile, SumsOnlyWhereNothingNeedsAnOrder)
     EXPECT_TRUE(std::isinf(light[n].depth));
   }
 }
+
+namespace
+{
+/// Adds every n-th of some segments and pieces of two sources, from the first-th on.
+void addShare(DeepTile& tile, int first, int n, bool surfaces)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> share(0.1F, 1.0F);
+  for (int i = 0; i < 60; ++i)
+  {
+    const float near = 10 * share(random);
+    const float length = share(random);
+    const float tau = 0.3F * share(random);
+    const int x = 40 + i % 5;
+    const int y = 7 + i / 5 % 2;
+    if (i % n != first)
+    {
+      continue;
+    }
+    if (surfaces && i % 4 == 0)
+    {
+      tile.add(x, y, { near, near, { tau, 2 * tau, tau }, { tau, 0, 0.5F * tau } });
+    }
+    tile.addPiece(x, y,
+      tile.addSource(
+        i % 3 == 0 && surfaces ? nephoscope::RGB{ 1, 2, 3 } : nephoscope::RGB{ 4, 5, 6 }),
+      near, length, tau, 0.2F);
+  }
+}
+
+void expectSameLight(DeepTile& a, DeepTile& b)
+{
+  std::vector<PixelLight> light[2];
+  a.composite(light[0]);
+  b.composite(light[1]);
+  ASSERT_EQ(light[0].size(), light[1].size());
+  for (std::size_t p = 0; p < light[0].size(); ++p)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(light[0][p].radiance[c], light[1][p].radiance[c], 1e-6) << p;
+      EXPECT_NEAR(light[0][p].transmittance[c], light[1][p].transmittance[c], 1e-6) << p;
+    }
+    EXPECT_TRUE(light[0][p].depth == light[1][p].depth ||
+      std::abs(light[0][p].depth - light[1][p].depth) < 1e-5)
+      << p;
+  }
+}
+}
+
+/// What three tiles packed is, put together, what one tile has of all.
+TEST(DeepTile, PackedSharesMakeTheWhole)
+{
+  for (const bool surfaces : { false, true })
+  {
+    DeepTile whole;
+    whole.reset({ 40, 7, 5, 2 });
+    addShare(whole, 0, 1, surfaces);
+    DeepTile together;
+    together.reset({ 40, 7, 5, 2 });
+    for (int share = 2; share >= 0; --share)
+    {
+      DeepTile part;
+      part.reset({ 40, 7, 5, 2 });
+      addShare(part, share, 3, surfaces);
+      std::vector<char> bytes;
+      part.pack(bytes);
+      together.addPacked(bytes);
+    }
+    EXPECT_EQ(together.numberOfSegments(), whole.numberOfSegments());
+    expectSameLight(together, whole);
+  }
+}
+
+/// Summed optical depths add up, behind them what is opaque and was known to all.
+TEST(DeepTile, PackedSumsAddUp)
+{
+  const nephoscope::Segment wall{ 9, 9, { Opaque, Opaque, Opaque }, { 0.5F, 0.25F, 1 } };
+  DeepTile together;
+  together.reset({ 0, 0, 3, 2 });
+  together.setDepthWanted(false);
+  together.add(1, 1, wall);
+  for (int share = 1; share <= 3; ++share)
+  {
+    DeepTile part;
+    part.reset({ 0, 0, 3, 2 });
+    part.setDepthWanted(false);
+    part.add(1, 1, wall);
+    part.keepLimitsOnly();
+    EXPECT_EQ(part.numberOfSegments(), 0U);
+    EXPECT_EQ(part.opaqueAt(1, 1), 9);
+    part.setLast();
+    ASSERT_TRUE(part.startSum(part.addSource({ 2, 4, 8 })));
+    *part.opticalDepths(1, 1) += 0.1 * share;
+    part.countSummed(1);
+    std::vector<char> bytes;
+    part.pack(bytes);
+    together.addPacked(bytes);
+  }
+  std::vector<PixelLight> light;
+  together.composite(light);
+  const double through = std::exp(-0.6);
+  EXPECT_NEAR(light[4].radiance[0], (1 - through) * 2 + through * 0.5, 1e-6);
+  EXPECT_NEAR(light[4].radiance[2], (1 - through) * 8 + through * 1, 1e-6);
+  EXPECT_EQ(light[4].transmittance[1], 0);
+  EXPECT_EQ(light[0].transmittance[0], 1);
+}
+
+/// A tile to which nothing was added packs nothing.
+TEST(DeepTile, NothingIsPackedOfNothing)
+{
+  DeepTile tile;
+  tile.reset({ 0, 0, 4, 4 });
+  std::vector<char> bytes;
+  tile.pack(bytes);
+  EXPECT_TRUE(bytes.empty());
+  tile.addPacked(bytes);
+  EXPECT_EQ(tile.numberOfSegments(), 0U);
+}

@@ -1,0 +1,423 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Many processes: run by mpirun with 1 to 5 of them. Pictures and surfaces are those of one process.
+#include "PieceTesting.h"
+
+#include "vtkCloudCellVolume.h"
+#include "vtkCloudContour.h"
+#include "vtkCloudGlobe.h"
+#include "vtkCloudGradedBackdrop.h"
+#include "vtkCloudNetCDFReader.h"
+#include "vtkCloudSmooth.h"
+#include "vtkCloudSurface.h"
+#include "vtkCloudUniformMedium.h"
+#include "vtkCloudscape.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkCommunicator.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkMPIController.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkStructuredGrid.h"
+#include "vtkTrivialProducer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <iostream>
+#include <memory>
+
+namespace
+{
+const std::string Climate = std::string(NEPHOSCOPE_SOURCE_DIR) + "/Data/sample_climate.nc";
+
+vtkMultiProcessController* controller()
+{
+  return vtkMultiProcessController::GetGlobalController();
+}
+int rank()
+{
+  return controller()->GetLocalProcessId();
+}
+int ranks()
+{
+  return controller()->GetNumberOfProcesses();
+}
+
+/// Whether something holds in all processes; all of them ask.
+bool everywhere(bool here)
+{
+  const int mine = here ? 1 : 0;
+  int all = 0;
+  controller()->AllReduce(&mine, &all, 1, vtkCommunicator::MIN_OP);
+  return all == 1;
+}
+
+/// A globe seen from 4 radii away, off its axes.
+void look(vtkCloudscape* scape, int width, int height)
+{
+  constexpr double Radius = 6371229;
+  vtkNew<vtkCamera> camera;
+  camera->SetPosition(2.9 * Radius, -1.7 * Radius, 2.1 * Radius);
+  camera->SetFocalPoint(0, 0, 0);
+  camera->SetViewUp(0, 0, 1);
+  camera->SetViewAngle(32);
+  scape->SetCamera(camera);
+  scape->SetSize(width, height);
+}
+
+/// The largest difference of all values of two pictures; infinite ones have to be in the same places.
+double difference(vtkImageData* a, vtkImageData* b)
+{
+  double most = 0;
+  for (const char* name :
+    { nephoscope::arrays::Radiance, nephoscope::arrays::Transmittance, nephoscope::arrays::Depth })
+  {
+    vtkDataArray* const x = a->GetPointData()->GetArray(name);
+    vtkDataArray* const y = b->GetPointData()->GetArray(name);
+    if (!x || !y || x->GetNumberOfTuples() != y->GetNumberOfTuples())
+    {
+      return INFINITY;
+    }
+    const double unit = std::string(name) == nephoscope::arrays::Depth ? 1e7 : 1; // m
+    for (vtkIdType p = 0; p < x->GetNumberOfTuples(); ++p)
+    {
+      for (int c = 0; c < x->GetNumberOfComponents(); ++c)
+      {
+        const double u = x->GetComponent(p, c);
+        const double v = y->GetComponent(p, c);
+        most = u == v ? most : std::max(most, std::abs(u - v) / unit);
+      }
+    }
+  }
+  return most;
+}
+
+double brightest(vtkImageData* image)
+{
+  double range[2];
+  image->GetPointData()->GetArray(nephoscope::arrays::Radiance)->GetRange(range, 0);
+  return range[1];
+}
+
+/// The picture by all ranks and by one are compared in rank 0.
+void expectSamePicture(vtkCloudscape* together, vtkCloudscape* alone)
+{
+  together->SetController(controller());
+  together->Update();
+  if (rank() > 0)
+  {
+    EXPECT_EQ(together->GetOutput()->GetNumberOfPoints(), 0);
+    return;
+  }
+  alone->Update();
+  ASSERT_GT(alone->GetNumberOfSegments(), 1000);
+  EXPECT_GT(brightest(alone->GetOutput()), 0.1);
+  EXPECT_LE(difference(together->GetOutput(), alone->GetOutput()), 1e-6);
+}
+
+/// Cells as fog, a translucent surface in them, with a sheet of haze and a globe that all processes have.
+class Scene
+{
+public:
+  explicit Scene(vtkAlgorithm* cells)
+  {
+    this->Contour->SetInputConnection(cells->GetOutputPort());
+    this->Contour->SetValue(0, 0.4);
+    this->Surface->SetInputConnection(this->Contour->GetOutputPort());
+    this->Volume->SetInputConnection(cells->GetOutputPort());
+    this->Globe->SetRadius(6371229);
+    this->Haze->SetExtinction(2e-8, 3e-8, 4e-8);
+    this->Haze->SetColor(0.2, 0.3, 0.4);
+    this->Sky->SetColor(0.01, 0.02, 0.05);
+    this->Scape->SetBackdrop(this->Sky);
+  }
+  void AddFog() { this->Scape->AddBody(this->Volume); }
+  void AddAll()
+  {
+    this->Surface->SetOpacity(0.6);
+    this->Scape->AddBody(this->Surface);
+    this->Scape->AddBody(this->Haze);
+    this->Scape->AddBody(this->Globe);
+    this->AddFog();
+  }
+
+  vtkNew<vtkCloudContour> Contour;
+  vtkNew<vtkCloudSurface> Surface;
+  vtkNew<vtkCloudCellVolume> Volume;
+  vtkNew<vtkCloudGlobe> Globe;
+  vtkNew<vtkCloudUniformMedium> Haze;
+  vtkNew<vtkCloudGradedBackdrop> Sky;
+  vtkNew<vtkCloudscape> Scape;
+};
+
+/// The same scene twice, on readers of their own; `arrange` puts bodies into each.
+template <class Arrange>
+void expectSamePictureOfClimate(Arrange&& arrange)
+{
+  vtkNew<vtkCloudNetCDFReader> readers[2];
+  for (vtkCloudNetCDFReader* reader : { readers[0].Get(), readers[1].Get() })
+  {
+    reader->SetFileName(Climate.c_str());
+    reader->SetVerticalExaggeration(40);
+  }
+  Scene together(readers[0]);
+  Scene alone(readers[1]);
+  arrange(together);
+  arrange(alone);
+  expectSamePicture(together.Scape, alone.Scape);
+  if (rank() == 0 && alone.Scape->GetNumberOfBodies() == 1)
+  {
+    EXPECT_EQ(together.Scape->GetNumberOfSegments(), alone.Scape->GetNumberOfSegments());
+  }
+}
+
+/// No cell is drawn twice or not at all.
+TEST(RankedPicture, FogAloneHasAsManySegments)
+{
+  expectSamePictureOfClimate(
+    [](Scene& scene)
+    {
+      scene.AddFog();
+      look(scene.Scape, 64, 48);
+    });
+}
+
+TEST(RankedPicture, FogAndSurfaceAndGlobeAndHazeInterlock)
+{
+  expectSamePictureOfClimate(
+    [](Scene& scene)
+    {
+      scene.AddAll();
+      look(scene.Scape, 150, 110); // not whole tiles
+    });
+}
+
+/// Optical depths are summed in each process, and the globe hides.
+TEST(RankedPicture, SumsOfOneMedium)
+{
+  expectSamePictureOfClimate(
+    [](Scene& scene)
+    {
+      scene.Scape->AddBody(scene.Globe);
+      scene.AddFog();
+      scene.Scape->ComputeDepthOff();
+      look(scene.Scape, 200, 97);
+    });
+}
+
+TEST(RankedPicture, OpaqueSurfaceInFogWithSeveralRaysAPixel)
+{
+  expectSamePictureOfClimate(
+    [](Scene& scene)
+    {
+      scene.Scape->AddBody(scene.Surface);
+      scene.AddFog();
+      scene.Scape
+        ->ComputeDepthOff(); // yet no sums: the surface of another process may be before the fog
+      scene.Scape->SetSamples(2);
+      scene.Scape->SetTileSize(16);
+      look(scene.Scape, 90, 70);
+    });
+}
+
+/// One body's pipeline asks for the whole of what another's has a piece of.
+TEST(RankedPicture, PipelineThatIsShared)
+{
+  vtkNew<vtkCloudNetCDFReader> readers[2];
+  vtkNew<vtkCloudSmooth> smooth[2];
+  std::unique_ptr<Scene> scenes[2];
+  for (int n = 0; n < 2; ++n)
+  {
+    readers[n]->SetFileName(Climate.c_str());
+    readers[n]->SetVerticalExaggeration(40);
+    smooth[n]->SetInputConnection(readers[n]->GetOutputPort());
+    scenes[n] = std::make_unique<Scene>(readers[n]);
+    scenes[n]->Contour->SetInputConnection(smooth[n]->GetOutputPort());
+    scenes[n]->AddAll();
+    look(scenes[n]->Scape, 96, 64);
+  }
+  expectSamePicture(scenes[0]->Scape, scenes[1]->Scape);
+}
+
+/// A block of 3 columns of cells: with more processes some have nothing.
+vtkSmartPointer<vtkStructuredGrid> fewColumns()
+{
+  auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
+  grid->SetDimensions(4, 2, 5);
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> cloud;
+  cloud->SetName(nephoscope::arrays::CloudFraction);
+  for (int p = 0; p < 40; ++p)
+  {
+    const int place[3] = { p % 4, p / 4 % 2, p / 8 };
+    points->InsertNextPoint(1000 * place[0], 1000 * place[1], 700 * place[2]);
+    cloud->InsertNextValue(0.1F * static_cast<float>(p % 7) + 0.2F);
+  }
+  grid->SetPoints(points);
+  grid->GetPointData()->SetScalars(cloud);
+  return grid;
+}
+
+TEST(RankedPicture, ProcessesWithNothing)
+{
+  vtkNew<vtkTrivialProducer> producers[2];
+  vtkNew<vtkCloudSmooth> cut[2]; // by nothing: it gives pieces
+  std::unique_ptr<Scene> scenes[2];
+  for (int n = 0; n < 2; ++n)
+  {
+    producers[n]->SetOutput(fewColumns());
+    cut[n]->SetLength(0);
+    cut[n]->SetInputConnection(producers[n]->GetOutputPort());
+    scenes[n] = std::make_unique<Scene>(cut[n]);
+    scenes[n]->Volume->SetFullCoverExtinction(1e-3);
+    scenes[n]->Scape->AddBody(scenes[n]->Surface);
+    scenes[n]->AddFog();
+    scenes[n]->Scape->SetSize(80, 60);
+    vtkNew<vtkCamera> camera;
+    camera->SetPosition(9000, -8000, 5000);
+    camera->SetFocalPoint(1500, 500, 1400);
+    camera->SetViewUp(0, 0, 1);
+    scenes[n]->Scape->SetCamera(camera);
+  }
+  expectSamePicture(scenes[0]->Scape, scenes[1]->Scape);
+  const bool nothing = cut[0]->GetOutput()->GetNumberOfPoints() == 0;
+  EXPECT_EQ(everywhere(!nothing), ranks() <= 3);
+}
+
+/// Remembers that there was an error, and does not print it.
+struct Errors
+{
+  explicit Errors(vtkObject* of)
+  {
+    this->Command->SetClientData(this);
+    this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
+      { static_cast<Errors*>(self)->Text += static_cast<const char*>(text); });
+    of->AddObserver("ErrorEvent", this->Command);
+  }
+  vtkNew<vtkCallbackCommand> Command;
+  std::string Text;
+};
+
+/// What one process cannot draw none draws, and none waits for ever.
+TEST(RankedPicture, ErrorInOneProcess)
+{
+  const bool wrong = rank() == ranks() - 1;
+  vtkSmartPointer<vtkStructuredGrid> grid = fewColumns();
+  if (wrong)
+  {
+    grid->GetPointData()->GetScalars()->SetName("Something");
+  }
+  vtkNew<vtkCloudCellVolume> volume;
+  volume->SetInputData(grid);
+  vtkNew<vtkCloudscape> scape;
+  scape->SetController(controller());
+  scape->AddBody(volume);
+  look(scape, 40, 30);
+  const Errors ofVolume(volume);
+  const Errors ofScape(scape);
+  scape->Update();
+  EXPECT_EQ(ofVolume.Text.empty(), !wrong);
+  const char* const expected = wrong ? "cannot be drawn" : "Another process cannot draw";
+  EXPECT_NE(ofScape.Text.find(expected), std::string::npos) << ofScape.Text;
+  EXPECT_EQ(scape->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST(RankedPicture, AbortInOneProcess)
+{
+  vtkNew<vtkCloudNetCDFReader> reader;
+  reader->SetFileName(Climate.c_str());
+  Scene scene(reader);
+  scene.AddFog();
+  look(scene.Scape, 700, 500);
+  scene.Scape->SetController(controller());
+  if (rank() == ranks() - 1)
+  {
+    vtkNew<vtkCallbackCommand> stop;
+    stop->SetCallback([](vtkObject* who, unsigned long, void*, void*)
+      { static_cast<vtkAlgorithm*>(who)->AbortExecuteOn(); });
+    scene.Scape->AddObserver("ProgressEvent", stop);
+  }
+  scene.Scape->Update();
+  EXPECT_EQ(scene.Scape->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+/// Numbers of all processes, in rank 0, one process's after another's.
+std::vector<double> gathered(const std::vector<double>& own)
+{
+  const auto size = static_cast<vtkIdType>(own.size());
+  std::vector<vtkIdType> sizes(static_cast<std::size_t>(ranks()));
+  controller()->AllGather(&size, sizes.data(), 1);
+  std::vector<vtkIdType> starts{ 0 };
+  for (const vtkIdType n : sizes)
+  {
+    starts.push_back(starts.back() + n);
+  }
+  std::vector<double> all(static_cast<std::size_t>(starts.back()));
+  controller()->GatherV(own.data(), all.data(), size, sizes.data(), starts.data(), 0);
+  return all;
+}
+
+/// The triangles of all processes' contours are those of one process's, to the bit.
+TEST(RankedSurface, HasTheTrianglesOfTheWhole)
+{
+  vtkNew<vtkCloudNetCDFReader> reader;
+  reader->SetFileName(Climate.c_str());
+  vtkNew<vtkCloudContour> contour;
+  contour->SetInputConnection(reader->GetOutputPort());
+  contour->UpdatePiece(rank(), ranks(), 0);
+  std::vector<Triangle> own;
+  addTriangles(contour->GetOutput(), own);
+  std::vector<double> numbers(own.size() * sizeof(Triangle) / sizeof(double));
+  std::memcpy(numbers.data(), own.data(), own.size() * sizeof(Triangle));
+  const std::vector<double> all = gathered(numbers);
+  if (rank() == 0)
+  {
+    std::vector<Triangle> together(all.size() * sizeof(double) / sizeof(Triangle));
+    std::memcpy(together.data(), all.data(), all.size() * sizeof(double));
+    std::sort(together.begin(), together.end());
+    const auto whole = trianglesInPieces(1,
+      [&contour](int piece, int pieces)
+      {
+        contour->UpdatePiece(piece, pieces, 0);
+        return contour->GetOutput();
+      });
+    EXPECT_GT(whole.size(), 1000U);
+    EXPECT_TRUE(together == whole);
+  }
+}
+}
+
+/// What processes but the first say: their failures.
+class FailurePrinter : public testing::EmptyTestEventListener
+{
+  void OnTestPartResult(const testing::TestPartResult& result) override
+  {
+    if (result.failed())
+    {
+      std::cerr << "process " << rank() << ": " << result.file_name() << ':' << result.line_number()
+                << ": " << result.message() << std::endl;
+    }
+  }
+};
+
+int main(int argc, char* argv[])
+{
+  vtkNew<vtkMPIController> world;
+  world->Initialize(&argc, &argv);
+  vtkMultiProcessController::SetGlobalController(world);
+  testing::InitGoogleTest(&argc, argv);
+  if (world->GetLocalProcessId() > 0)
+  {
+    testing::TestEventListeners& listeners = testing::UnitTest::GetInstance()->listeners();
+    delete listeners.Release(listeners.default_result_printer());
+    listeners.Append(new FailurePrinter);
+  }
+  const bool passed = everywhere(RUN_ALL_TESTS() == 0);
+  vtkMultiProcessController::SetGlobalController(nullptr);
+  world->Finalize();
+  return passed ? 0 : 1;
+}
