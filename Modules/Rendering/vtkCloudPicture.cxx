@@ -12,12 +12,14 @@
 #include "vtkCloudSurface.h"
 #include "vtkCloudscape.h"
 #include "vtkCommand.h"
+#include "vtkCommunicator.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -52,12 +54,28 @@ void addDisplayColor(vtkImageData* image)
   image->GetPointData()->AddArray(color);
   image->GetPointData()->SetActiveScalars(nephoscope::arrays::DisplayColor);
 }
+
+/// Of the globe that the data are round, scene units; 0 if they are not.
+double planetRadius(vtkInformationVector* input)
+{
+  vtkDataSet* const data = vtkDataSet::GetData(input);
+  vtkFieldData* const fields = data ? data->GetFieldData() : nullptr;
+  if (!fields)
+  {
+    return 0;
+  }
+  auto* const geometry =
+    vtkStringArray::SafeDownCast(fields->GetAbstractArray(nephoscope::arrays::Geometry));
+  vtkDataArray* const radius = fields->GetArray(nephoscope::arrays::PlanetRadius);
+  return geometry && radius && geometry->GetValue(0) == "Globe" ? radius->GetComponent(0, 0) : 0;
+}
 }
 
 vtkCloudPicture::vtkCloudPicture()
   : Volume(vtkSmartPointer<vtkCloudCellVolume>::New())
   , Surface(vtkSmartPointer<vtkCloudSurface>::New())
   , Globe(vtkSmartPointer<vtkCloudGlobe>::New())
+  , Controller(vtkMultiProcessController::GetGlobalController())
 {
   this->SetNumberOfInputPorts(2);
 }
@@ -118,6 +136,20 @@ void vtkCloudPicture::SetBackdrop(vtkCloudBackdrop* backdrop)
 vtkCloudBackdrop* vtkCloudPicture::GetBackdrop() const
 {
   return this->Backdrop;
+}
+
+void vtkCloudPicture::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Controller != controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkCloudPicture::GetController() const
+{
+  return this->Controller;
 }
 
 vtkMTimeType vtkCloudPicture::GetMTime()
@@ -203,27 +235,43 @@ bool vtkCloudPicture::AddInputs(
     box.AddBounds(bounds);
   }
   box.GetBounds(bounds);
+  this->GatherBounds(bounds);
   return true;
+}
+
+/// The bounds of all processes' pieces.
+void vtkCloudPicture::GatherBounds(double bounds[6]) const
+{
+  if (this->Controller && this->Controller->GetNumberOfProcesses() > 1)
+  {
+    double least[3] = { bounds[0], bounds[2], bounds[4] };
+    double greatest[3] = { bounds[1], bounds[3], bounds[5] };
+    double allLeast[3];
+    double allGreatest[3];
+    this->Controller->AllReduce(least, allLeast, 3, vtkCommunicator::MIN_OP);
+    this->Controller->AllReduce(greatest, allGreatest, 3, vtkCommunicator::MAX_OP);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      bounds[2 * axis] = allLeast[axis];
+      bounds[2 * axis + 1] = allGreatest[axis];
+    }
+  }
 }
 
 vtkCloudBody* vtkCloudPicture::ChooseGround(vtkInformationVector** inputs)
 {
-  for (int port = 0; !this->Ground && this->AutomaticGround && port < 2; ++port)
+  if (this->Ground || !this->AutomaticGround)
   {
-    vtkDataSet* const data = vtkDataSet::GetData(inputs[port]);
-    vtkFieldData* const fields = data ? data->GetFieldData() : nullptr;
-    auto* const geometry = fields
-      ? vtkStringArray::SafeDownCast(fields->GetAbstractArray(nephoscope::arrays::Geometry))
-      : nullptr;
-    vtkDataArray* const radius =
-      fields ? fields->GetArray(nephoscope::arrays::PlanetRadius) : nullptr;
-    if (geometry && radius && geometry->GetValue(0) == "Globe")
-    {
-      this->Globe->SetRadius(radius->GetComponent(0, 0));
-      return this->Globe;
-    }
+    return this->Ground;
   }
-  return this->Ground;
+  double radius = std::max(planetRadius(inputs[0]), planetRadius(inputs[1]));
+  if (this->Controller && this->Controller->GetNumberOfProcesses() > 1)
+  {
+    const double own = radius; // an empty piece does not know
+    this->Controller->AllReduce(&own, &radius, 1, vtkCommunicator::MAX_OP);
+  }
+  this->Globe->SetRadius(radius);
+  return radius > 0 ? this->Globe.Get() : nullptr;
 }
 
 void vtkCloudPicture::SetUpCamera(vtkCamera* camera, const double bounds[6]) const
@@ -276,13 +324,15 @@ int vtkCloudPicture::RequestData(
   scape->SetSize(this->Size);
   scape->SetSamples(this->Samples);
   scape->SetBackdrop(this->Backdrop);
+  scape->SetController(this->Controller);
   scape->AddBody(this->ChooseGround(inputs));
   scape->AddObserver(vtkCommand::ProgressEvent, this, &vtkCloudPicture::Forward);
   scape->Update();
   vtkImageData* const picture = vtkImageData::GetData(outputs);
   picture->ShallowCopy(scape->GetOutput());
   addDisplayColor(picture);
-  return picture->GetNumberOfPoints() > 0;
+  const bool elsewhere = this->Controller && this->Controller->GetLocalProcessId() > 0;
+  return elsewhere || picture->GetNumberOfPoints() > 0;
 }
 
 void vtkCloudPicture::PrintSelf(ostream& os, vtkIndent indent)

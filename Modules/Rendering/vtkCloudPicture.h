@@ -7,6 +7,9 @@
  *  2. the camera is moved until all of it is seen, if FitToInputs is on;
  *  3. vtkCloudscape draws them with Ground before Backdrop.
  *
+ * Several processes draw one picture of their pieces together, exactly (vtkCloudscape::SetController), pieces may be empty; process 0
+ * has it, the others' output is empty.
+ *
  * Input    port 0 and, optional, port 1: what vtkCloudCellVolume takes (vtkStructuredGrid, vtkRectilinearGrid, vtkImageData) and
  *          what vtkCloudSurface takes (vtkPolyData), in either order, at most one of each. Field data Geometry and PlanetRadius, as
  *          vtkCloudNetCDFReader gives them and vtkCloudContour passes them, for AutomaticGround.
@@ -31,7 +34,7 @@ class vtkCloudCellVolume;
 class vtkCloudGlobe;
 class vtkCloudSurface;
 class vtkCloudscape;
-class vtkDataSet;
+class vtkMultiProcessController;
 
 class VTKCLOUDRENDERING_EXPORT vtkCloudPicture : public vtkImageAlgorithm
 {
@@ -114,6 +117,12 @@ public:
   vtkGetMacro(ParallelScale, double);
   ///@}
 
+  ///@{
+  /// Processes that draw the picture together, each having a piece of the inputs. Default the global controller of VTK.
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController() const;
+  ///@}
+
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -133,6 +142,7 @@ private:
   void operator=(const vtkCloudPicture&) = delete;
 
   bool AddInputs(vtkCloudscape* scape, vtkInformationVector** inputs, double bounds[6]);
+  void GatherBounds(double bounds[6]) const;
   vtkCloudBody* ChooseGround(vtkInformationVector** inputs);
   void SetUpCamera(vtkCamera* camera, const double bounds[6]) const;
   void Forward(vtkObject* scape, unsigned long, void*);
@@ -142,6 +152,7 @@ private:
   vtkSmartPointer<vtkCloudBody> Ground;
   vtkSmartPointer<vtkCloudGlobe> Globe; ///< of AutomaticGround
   vtkSmartPointer<vtkCloudBackdrop> Backdrop;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
   int Size[2] = { 640, 480 };
   int Samples = 1;
   bool AutomaticGround = true;

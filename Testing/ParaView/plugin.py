@@ -33,8 +33,9 @@ def number_of(data, what):
     return getattr(data.GetDataInformation(), "GetNumberOf" + what)()
 
 
-def main():
+def main(before_exit=lambda: None):
     # pvbatch sends Python's streams to VTK's output window, which the tests listen to.
     with open(2, "w", closefd=False) as stream:
         program = unittest.main(argv=sys.argv[:1], exit=False, testRunner=unittest.TextTestRunner(stream))
+    before_exit()
     os._exit(0 if program.result.wasSuccessful() else 1)  # without the time that ParaView takes to leave
