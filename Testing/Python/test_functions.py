@@ -5,9 +5,11 @@ import contextlib
 import datetime
 import os
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import unittest
 import warnings
 
@@ -119,6 +121,47 @@ class Messages(Quiet):
         globe = ns.grid(fields, longitude=longitude, latitude=[-60, -20, 20, 60], height=[0, 1e3, 2e3])
         with self.assertWarnsRegex(UserWarning, "seam"):
             ns.contour(globe, 0.5)
+
+
+class Interruption(Quiet):
+    def scape(self):
+        body = ns.vtkCloudSurface()
+        body.SetInputData(ns.contour(ball(), 0.5))
+        scape = ns.vtkCloudscape()
+        scape.AddBody(body)
+        scape.SetSize(400, 300)
+        scape.SetCamera(ns.camera(ball()))
+        return scape
+
+    def test_ctrl_c_aborts_a_picture_and_leaves_nothing_behind(self):
+        handler = signal.getsignal(signal.SIGINT)
+        expected = ns.render(self.scape()).radiance
+        scape, progress = self.scape(), []
+
+        def press(source, event):
+            progress.append(scape.GetProgress())
+            if len(progress) == 2:
+                signal.raise_signal(signal.SIGINT)
+        tag = scape.AddObserver("ProgressEvent", press)
+        with self.assertRaises(KeyboardInterrupt):
+            ns.render(scape)
+        self.assertLess(len(progress), 30)  # of the 130 tiles
+        self.assertIs(signal.getsignal(signal.SIGINT), handler)
+        scape.RemoveObserver(tag)
+        scape.Modified()
+        np.testing.assert_array_equal(ns.render(scape).radiance, expected)
+
+    def test_other_threads_draw_too(self):
+        pictures = []
+        draw = lambda: pictures.append(ns.render(ball(), size=(40, 30), value=0.5).radiance)  # noqa: E731
+        threads = [threading.Thread(target=draw) for _ in range(3)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for picture in pictures:
+            np.testing.assert_array_equal(picture, ns.render(ball(), size=(40, 30), value=0.5).radiance)
+        self.assertEqual(len(pictures), 3)
 
 
 class Contour(Quiet):

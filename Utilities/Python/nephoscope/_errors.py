@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+import signal
 import threading
 import warnings
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 _PLACE = re.compile(r"^(ERROR|Warning|Generic Warning): In [^\n]*, line \d+\n(?:\w+ \((?:0x)?[0-9a-fA-F]+\): )?", re.MULTILINE)
 _AFTERMATH = re.compile(r"returned failure for request|see its own message")
@@ -32,8 +34,9 @@ def _messages(text: str) -> Iterator[tuple[str, str]]:
 
 
 @contextmanager
-def raising() -> Iterator[None]:
-    """While in it, VTK prints nothing; at its end the first error is raised as CloudError and each warning warned.
+def raising(algorithm: vtkAlgorithm | None = None) -> Iterator[None]:
+    """While in it, VTK prints nothing; at its end the first error is raised as CloudError and each warning warned. Ctrl-C
+    aborts the algorithm and is raised then.
 
     VTK has one output window for all threads, so only one thread is in it at a time.
     """
@@ -43,7 +46,8 @@ def raising() -> Iterator[None]:
         vtkOutputWindow.SetInstance(said)
         vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
         try:
-            yield
+            with _interruptible(algorithm) if algorithm else nullcontext():
+                yield
         finally:
             vtkLogger.SetStderrVerbosity(verbosity)
             vtkOutputWindow.SetInstance(window)
@@ -53,3 +57,28 @@ def raising() -> Iterator[None]:
         warnings.warn(message, stacklevel=4)
     if errors:
         raise CloudError(next((e for e in errors if not _AFTERMATH.search(e)), errors[0]))
+
+
+@contextmanager
+def _interruptible(algorithm: vtkAlgorithm) -> Iterator[None]:
+    """Python handles a signal in between its own instructions, of which there are none while VTK works: an observer of the
+    progress has some. An exception in it would end the process, so the handler only asks the algorithm to abort."""
+    if threading.current_thread() is not threading.main_thread() or signal.getsignal(signal.SIGINT) in (signal.SIG_IGN, None):
+        yield  # signals are the main thread's, if they are heard at all
+        return
+    asked: list[int] = []
+
+    def abort(number: int, frame: object) -> None:
+        asked.append(number)
+        algorithm.AbortExecuteOn()
+
+    watch = algorithm.AddObserver("ProgressEvent", lambda *event: None)
+    before = signal.signal(signal.SIGINT, abort)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+        algorithm.RemoveObserver(watch)
+    if asked:
+        algorithm.AbortExecuteOff()
+        raise KeyboardInterrupt

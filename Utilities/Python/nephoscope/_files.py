@@ -79,14 +79,14 @@ def seconds_of(reader: vtkCloudNetCDFReader, time: Any) -> float:
 def _read(reader: vtkCloudNetCDFReader, time: Any) -> None:
     """Brings the reader up to one of the file's own steps."""
     if time is None or (reader.GetNumberOfTimeSteps() == 0 and time == 0):
-        with raising():
+        with raising(reader):
             reader.Update()
         return
     seconds = seconds_of(reader, time)
     if all(reader.GetTimeValue(step) != seconds for step in range(reader.GetNumberOfTimeSteps())):
         raise ValueError(f"{reader.GetFileName()}: {time!r} lies between the file's {_steps_of(reader)}; "
                          "nephoscope.interpolate gives the clouds at any time between two steps")
-    with raising():
+    with raising(reader):
         reader.UpdateTimeStep(seconds)
 
 

@@ -61,7 +61,7 @@ def contour(clouds: Any, value: float | Iterable[float] = 0.15, *, field: str = 
         filter_.SetValue(n, v)
     filter_.SetComputeNormals(normals)
     filter_.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, field)
-    with raising():
+    with raising(filter_):
         filter_.SetInputData(_smoothed(dataset_of(clouds), field, smoothing))
         filter_.Update()
     return detached(filter_.GetOutput())
@@ -94,7 +94,7 @@ def _connect(filter_: Any, source: Any, time: Any, options: dict[str, Any]) -> f
 
 def _at(filter_: Any, source: Any, time: Any, options: dict[str, Any]) -> vtkStructuredGrid:
     seconds = _connect(filter_, source, time, options)
-    with raising():
+    with raising(filter_):
         filter_.UpdateTimeStep(seconds)
     return detached(filter_.GetOutput())
 

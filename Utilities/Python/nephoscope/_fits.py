@@ -52,7 +52,7 @@ def fit(subject: str, range: tuple[float, float] | None = None) -> dict[str, Any
     filter_.SetSubject(subject)
     if range is not None:
         filter_.SetRange(*range)
-    with raising():
+    with raising(filter_):
         filter_.Update()
     table = filter_.GetOutput()
     return {column.GetName(): _values(column) for column in _all(table.GetNumberOfColumns(), table.GetColumn)}

@@ -232,7 +232,7 @@ def _camera(extent: Extent, told: Mapping[str, Any], size: tuple[int, int]) -> v
 
 
 def _drawn(scape: vtkCloudscape) -> Picture:
-    with raising():
+    with raising(scape):
         scape.Update()
     image = vtkImageData()
     image.ShallowCopy(scape.GetOutput())
