@@ -17,6 +17,7 @@ paraview_plugin_build(
 
 # The package nephoscope once more, for ParaView's Python.
 set(modules Nephoscope::CloudIO Nephoscope::CloudSources Nephoscope::CloudFilters Nephoscope::CloudRendering)
+set(CMAKE_INSTALL_RPATH "$ORIGIN/../../../Nephoscope") # from the installed package to the plugin's libraries
 include(NephoscopePython)
 
 if (BUILD_TESTING)
