@@ -12,13 +12,13 @@ namespace
 constexpr double Pi = 3.141592653589793;
 
 /// w(argument) and dw / d argument.
-struct Wave
+struct WaveValue
 {
   double value;
   double slope;
 };
 
-Wave waveAt(WaveShape shape, double argument)
+WaveValue waveAt(WaveShape shape, double argument)
 {
   const double s = std::sin(argument);
   const double c = std::cos(argument);
@@ -76,7 +76,7 @@ HeightGradient HeightField::gradient(double x, double y) const
     a[1] + 2 * a[3] * x + a[4] * y, a[2] + a[4] * x + 2 * a[5] * y };
   for (const HeightWave& wave : this->Shape.waves)
   {
-    const Wave w = waveAt(wave.shape, wave.p * x + wave.q * y + wave.r);
+    const WaveValue w = waveAt(wave.shape, wave.p * x + wave.q * y + wave.r);
     f.value += wave.amplitude * w.value;
     f.x += wave.amplitude * wave.p * w.slope;
     f.y += wave.amplitude * wave.q * w.slope;
@@ -84,17 +84,22 @@ HeightGradient HeightField::gradient(double x, double y) const
   return f;
 }
 
-double HeightField::top(double f) const
+double HeightField::value(double x, double y, double pixel) const
 {
-  // t - c^2 without its cancellation.
-  return std::copysign(std::sqrt(std::abs(f) * (std::abs(f) + 2 * this->Shape.c)), f);
-}
-
-double HeightField::bottom(double f) const
-{
-  const double u = std::abs(f) + this->Shape.c;
-  const double root = std::sqrt(u * u + this->Shape.c * this->Shape.c);
-  return root > 0 ? -this->Shape.depth * this->top(f) / root : 0;
+  const auto& a = this->Shape.polynomial;
+  double f = a[0] + a[1] * x + a[2] * y + a[3] * x * x + a[4] * x * y + a[5] * y * y;
+  for (const HeightWave& wave : this->Shape.waves)
+  {
+    const double mean = meanOf(wave.shape);
+    const double left = waveLeft(waveNumber(wave) * pixel);
+    f += wave.amplitude * mean;
+    if (left > 0)
+    {
+      f +=
+        left * wave.amplitude * (waveAt(wave.shape, wave.p * x + wave.q * y + wave.r).value - mean);
+    }
+  }
+  return f;
 }
 
 HeightGradient HeightField::top(const HeightGradient& f) const

@@ -23,6 +23,7 @@
 #define HeightField_h
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace nephoscope
@@ -43,6 +44,36 @@ struct HeightWave
   double r = 0;         ///< phase, rad
   WaveShape shape = WaveShape::Sine;
 };
+
+/// Means of |sin| and sqrt |sin|: 2 / pi and Gamma(3/4)^2 (2 / pi)^1.5.
+inline constexpr double MeanAbsolute = 0.6366197723675814;
+inline constexpr double MeanRoot = 0.7627597635018132;
+inline constexpr double meanOf(WaveShape shape)
+{
+  return shape == WaveShape::Sine ? 0 : shape == WaveShape::Absolute ? MeanAbsolute : MeanRoot;
+}
+
+/// Of a wave's longest period, rad/m: an absolute value has two in one of its sine.
+inline double waveNumber(const HeightWave& wave)
+{
+  return (wave.shape == WaveShape::Sine ? 1 : 2) * std::hypot(wave.p, wave.q);
+}
+
+/**
+ * What is left of a wave about its mean where it is seen in pixels.
+ *
+ * All of it if it is 4 pixels long, nothing below 1.2 pixels, a smooth step in the wave number between: about half of what pixels can just not show
+ * (2 pixels). Fading sooner would cost more than it saves, for clouds' edges are where F crosses 0, which a smoother F moves.
+ * @param x wave number times a pixel's width
+ */
+inline double waveLeft(double x)
+{
+  constexpr double All = 1.5707963267948966; // 2 pi / 4
+  constexpr double None = 5.235987755982989; // 2 pi / 1.2
+  const double t = (x - All) / (None - All);
+  const double u = t > 0 ? (t < 1 ? t : 1.0) : 0.0;
+  return 1 - u * u * (3 - 2 * u);
+}
 
 /// What a HeightField is made of.
 struct HeightFieldShape
@@ -69,11 +100,24 @@ public:
 
   const HeightFieldShape& shape() const { return this->Shape; }
 
-  double value(double x, double y) const;            ///< F, m
+  double value(double x, double y) const; ///< F, m
+  /// F as it is seen in pixels of this width, m: waveLeft() of every wave.
+  double value(double x, double y, double pixel) const;
   HeightGradient gradient(double x, double y) const; ///< of F
 
-  double top(double f) const;                           ///< g of a value of F, m
-  double bottom(double f) const;                        ///< h of a value of F, m
+  /// g of a value of F, m
+  double top(double f) const
+  {
+    // t - c^2 without its cancellation.
+    return std::copysign(std::sqrt(std::abs(f) * (std::abs(f) + 2 * this->Shape.c)), f);
+  }
+  /// h of a value of F, m
+  double bottom(double f) const
+  {
+    const double u = std::abs(f) + this->Shape.c;
+    const double root = std::sqrt(u * u + this->Shape.c * this->Shape.c);
+    return root > 0 ? -this->Shape.depth * this->top(f) / root : 0;
+  }
   HeightGradient top(const HeightGradient& f) const;    ///< g and its gradient
   HeightGradient bottom(const HeightGradient& f) const; ///< h and its gradient
 
@@ -85,6 +129,18 @@ public:
     const double c2 = this->Shape.c * this->Shape.c;
     return (u < 0 ? -u : u) * u - c2 -
       zeta * zeta * (zeta < 0 ? (u * u + c2) * this->InverseDepthSquared : 1.0);
+  }
+
+  /// inside() and its derivative along a line, from those of F and zeta.
+  double insideSlope(double f, double fSlope, double zeta, double zetaSlope, double& value) const
+  {
+    const double u = f + this->Shape.c;
+    const double size = u < 0 ? -u : u;
+    const double c2 = this->Shape.c * this->Shape.c;
+    const double below = zeta < 0 ? this->InverseDepthSquared : 0.0;
+    const double factor = zeta < 0 ? (u * u + c2) * below : 1.0;
+    value = size * u - c2 - zeta * zeta * factor;
+    return 2 * (size * fSlope - zeta * zetaSlope * factor - zeta * zeta * u * fSlope * below);
   }
 
   /// No F is larger; infinite if the polynomial has no maximum.

@@ -122,10 +122,7 @@ void HeightFieldExact::shineRay(const CloudSlice& slice, std::uint32_t ray)
     return;
   }
   const auto inside = [&](double r)
-  {
-    return this->Field.inside(
-      this->Field.value(slice.x + r * slice.ux, slice.y + r * slice.uy), at.zeta(r));
-  };
+  { return this->Field.inside(this->valueAt(slice, r), at.zeta(r)); };
   const double looks = std::clamp(std::ceil(64 * width / this->Field.shortestWave()), 256.0, 1e7);
   const auto place = [&](double n)
   { return n < looks ? range.first + width * n / looks : range.last; };
@@ -170,8 +167,7 @@ void HeightFieldExact::segment(
   const auto integrand = [&](double d)
   {
     const double r = in + d;
-    const double top =
-      this->Field.top(this->Field.value(slice.x + r * slice.ux, slice.y + r * slice.uy));
+    const double top = this->Field.top(this->valueAt(slice, r));
     this->Light->largestSunArgument =
       std::max(this->Light->largestSunArgument, this->Densities.sun * top);
     return at.view * std::exp(-at.depth(top, r, r) - at.view * d);

@@ -29,7 +29,7 @@ void HeightFieldMarch::shineRay(const CloudSlice& slice, std::uint32_t ray)
   for (double r = range.first; r < range.last && seen; r += length)
   {
     const double middle = r + 0.5 * length;
-    const double f = this->Field.value(slice.x + middle * slice.ux, slice.y + middle * slice.uy);
+    const double f = this->valueAt(slice, middle);
     const bool in = this->Field.inside(f, at.zeta(middle)) > 0;
     if (in)
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Exponential.h"
 #include "HeightFieldMethods.h"
+#include "VectorClones.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,6 +39,7 @@ Cubic in(const Cubic& c, double scale, double shift)
 }
 
 /// G = exp(-rhoA g) for the two Gauss points of each step.
+NEPHOSCOPE_VECTOR_CLONES
 void transmitted(const SampleBlock& block, double sun, double twoC, double* left, double* right)
 {
   constexpr double X = 0.21132486540518712; // (1 - 1 / sqrt 3) / 2
@@ -87,7 +89,16 @@ void HeightFieldMoments::sampled(const SampleBlock& block)
   this->Tall = this->Tall || sun * highest > 300;
   double left[Steps];
   double right[Steps];
-  transmitted(block, sun, 2 * this->Field.shape().c, left, right);
+  if (highest > 0)
+  {
+    transmitted(block, sun, 2 * this->Field.shape().c, left, right);
+  }
+  else
+  {
+    // No ray is inside at any sample, so that none asks.
+    std::fill(left, left + Steps, 0.0);
+    std::fill(right, right + Steps, 0.0);
+  }
 
   const bool isFirst = this->Tables.empty();
   if (isFirst)
@@ -183,7 +194,7 @@ double HeightFieldMoments::table(const Stretch& stretch, int toBlock, int toStep
     }
   }
   const double depth = ray.view * (middle - stretch.nearEnd) - ray.sun * ray.zeta(middle);
-  return ray.view * std::exp(-depth) * sum;
+  return ray.view * exponential(-depth) * sum;
 }
 
 /// The light from the stretch's place to one before the next sample; isDense where a step is a large optical depth.
@@ -251,8 +262,8 @@ double HeightFieldMoments::light(
     }
     const SampleBlock& block = this->Sweep.block(stretch.block);
     const bool isDense =
-      this->Tall || (ray.view + ray.sun * (1 + std::abs(ray.slope))) * block.spacing > 1;
-    const double piece = this->Settings.pieceDepth * std::exp(depth / 4) / delta;
+      this->Tall || (ray.view + ray.sun * (1 + std::abs(ray.slope))) * block.spacing > 4;
+    const double piece = this->Settings.pieceDepth * exponential(depth / 4) / delta;
     const SweepPlace to = onSample && !isDense
       ? this->sampleBefore(std::min(stretch.r + piece, out.r), stretch, out)
       : SweepPlace{ stretch.r, stretch.block, stretch.step };

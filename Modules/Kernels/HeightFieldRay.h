@@ -6,6 +6,7 @@
 #ifndef HeightFieldRay_h
 #define HeightFieldRay_h
 
+#include "Exponential.h"
 #include "HeightFieldScattering.h"
 
 #include <algorithm>
@@ -88,14 +89,14 @@ public:
   {
     this->R = r;
     this->Depth = this->Ray.depth(top, r, this->Near);
-    this->Left = std::exp(-this->Depth);
+    this->Left = exponential(-this->Depth);
   }
 
   /// Light between the last point and r, whose cloud top is given.
   double to(double r, double top)
   {
     const double depth = this->Ray.depth(top, r, this->Near);
-    const double left = std::exp(-depth);
+    const double left = exponential(-depth);
     const double x = depth - this->Depth;
     const double mean =
       std::abs(x) > 1e-4 ? (this->Left - left) / x : this->Left * (1 - x * (0.5 - x / 6));

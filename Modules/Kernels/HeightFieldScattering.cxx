@@ -106,8 +106,7 @@ double HeightFieldScattering::part(
   const HeightFieldRay ray(slice.z - this->PlaneHeight, slope, this->Densities);
   const double wave = std::min(this->Field.shortestWave(), farEnd - nearEnd);
   const double step = std::min(wave / 16, 2 / std::max(ray.view, 1e-300));
-  const auto topAt = [&](double r)
-  { return this->Field.top(this->Field.value(slice.x + r * slice.ux, slice.y + r * slice.uy)); };
+  const auto topAt = [&](double r) { return this->Field.top(this->valueAt(slice, r)); };
   LinearSteps steps(ray, nearEnd);
   steps.start(nearEnd, topAt(nearEnd));
   double light = 0;

@@ -1,15 +1,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HeightFieldSweep.h"
 
+#include "VectorClones.h"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nephoscope
 {
 namespace
 {
 constexpr int Steps = SampleBlock::Steps;
+constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr int MostBlocks = 1 << 14; ///< a million samples
+
+NEPHOSCOPE_VECTOR_CLONES
+void boundsOf(
+  const SampleBlock& block, const HeightFieldShape& shape, double eye, SampleBounds& bounds)
+{
+  const double c2 = shape.c * shape.c;
+  for (int j = 0; j <= Steps; ++j)
+  {
+    const double inverse = 1 / std::max(block.at(j), 1e-300);
+    const double u = std::abs(block.f[j]) + shape.c;
+    const double sum = u * u + c2;
+    const double ratio = shape.depth / std::max(std::sqrt(sum), 1e-300); // -h / g
+    bounds.top[j] = (block.top[j] - eye) * inverse;
+    bounds.bottom[j] = (-ratio * block.top[j] - eye) * inverse;
+    bounds.plane[j] = -eye * inverse;
+    // dg/dr and dh/dr (HeightField.cxx)
+    const double steep = u * block.slope[j] / std::max(block.top[j], 1e-150);
+    const double deep = -2 * ratio * c2 / std::max(sum, 1e-300) * steep;
+    const bool isCloud = block.f[j] > 0;
+    bounds.topRise[j] = isCloud ? (steep - bounds.top[j]) * inverse : block.slope[j];
+    bounds.bottomRise[j] = isCloud ? (deep - bounds.bottom[j]) * inverse : -block.slope[j];
+  }
+}
 
 /// The number of slopes below one, searched from a number that was right nearby.
 inline std::uint32_t below(const std::vector<double>& slopes, std::uint32_t from, double slope)
@@ -25,140 +52,22 @@ inline std::uint32_t below(const std::vector<double>& slopes, std::uint32_t from
   }
   return from;
 }
-
-/// Adds a wave to F and dF/dr, its value and its derivative from the sine and the cosine of its argument.
-template <class Add>
-void addWave(SampleBlock& block, double sine0, double cosine0, const double* cosine,
-  const double* sine, const Add& add)
-{
-  for (int j = 0; j <= Steps; ++j)
-  {
-    const double s = sine0 * cosine[j] + cosine0 * sine[j];
-    const double c = cosine0 * cosine[j] - sine0 * sine[j];
-    add(block.f[j], block.slope[j], s, c);
-  }
-}
 }
 
-void HeightFieldSweep::prepare(const CloudSlice& slice)
-{
-  const HeightFieldShape& shape = this->Field->shape();
-  const auto& a = shape.polynomial;
-  const HeightGradient f = HeightField({ a, {}, shape.c, shape.depth }).gradient(slice.x, slice.y);
-  this->Polynomial[0] = f.value;
-  this->Polynomial[1] = f.x * slice.ux + f.y * slice.uy;
-  this->Polynomial[2] =
-    a[3] * slice.ux * slice.ux + a[4] * slice.ux * slice.uy + a[5] * slice.uy * slice.uy;
-  this->Phases.resize(shape.waves.size());
-  for (std::size_t i = 0; i < this->Phases.size(); ++i)
-  {
-    const HeightWave& wave = shape.waves[i];
-    Phase& phase = this->Phases[i];
-    phase.amplitude = wave.amplitude;
-    phase.speed = wave.p * slice.ux + wave.q * slice.uy;
-    phase.angle = wave.p * slice.x + wave.q * slice.y + wave.r;
-    phase.shape = wave.shape;
-  }
-  this->Turned = 0;
-  this->Blocks.clear();
-}
-
-void HeightFieldSweep::turn(double spacing)
-{
-  for (Phase& phase : this->Phases)
-  {
-    // By doubling, the angle of each turn twice that of the one before.
-    phase.cosine[0] = 1;
-    phase.sine[0] = 0;
-    double c = std::cos(phase.speed * spacing);
-    double s = std::sin(phase.speed * spacing);
-    for (int n = 1; n <= Steps; n *= 2)
-    {
-      for (int j = 0; j < n && n + j <= Steps; ++j)
-      {
-        phase.cosine[n + j] = c * phase.cosine[j] - s * phase.sine[j];
-        phase.sine[n + j] = s * phase.cosine[j] + c * phase.sine[j];
-      }
-      const double twice = 2 * s * c;
-      c = (c - s) * (c + s);
-      s = twice;
-    }
-  }
-  this->Turned = spacing;
-}
-
-void HeightFieldSweep::sample(double start, double spacing)
-{
-  if (spacing != this->Turned)
-  {
-    this->turn(spacing);
-  }
-  SampleBlock& block = this->Blocks.emplace_back();
-  block.start = start;
-  block.spacing = spacing;
-  for (int j = 0; j <= Steps; ++j)
-  {
-    const double r = start + spacing * j;
-    block.f[j] = this->Polynomial[0] + r * (this->Polynomial[1] + r * this->Polynomial[2]);
-    block.slope[j] = this->Polynomial[1] + 2 * r * this->Polynomial[2];
-  }
-  for (const Phase& phase : this->Phases)
-  {
-    const double s0 = std::sin(phase.angle + phase.speed * start);
-    const double c0 = std::cos(phase.angle + phase.speed * start);
-    const double a = phase.amplitude;
-    const double b = a * phase.speed;
-    if (phase.shape == WaveShape::Sine)
-    {
-      addWave(block, s0, c0, phase.cosine, phase.sine,
-        [a, b](double& f, double& slope, double s, double c)
-        {
-          f += a * s;
-          slope += b * c;
-        });
-    }
-    else if (phase.shape == WaveShape::Absolute)
-    {
-      addWave(block, s0, c0, phase.cosine, phase.sine,
-        [a, b](double& f, double& slope, double s, double c)
-        {
-          f += a * std::abs(s);
-          slope += b * std::copysign(c, c * s);
-        });
-    }
-    else
-    {
-      // Towards its kink the slope of the root is held, as that of a sine of 1 / 400 is.
-      addWave(block, s0, c0, phase.cosine, phase.sine,
-        [a, b](double& f, double& slope, double s, double c)
-        {
-          const double root = std::sqrt(std::abs(s));
-          f += a * root;
-          slope += b * std::copysign(c, c * s) * 0.5 / (root > 0.05 ? root : 0.05);
-        });
-    }
-  }
-  const double twoC = 2 * this->Field->shape().c;
-  for (int j = 0; j <= Steps; ++j)
-  {
-    const double f = std::abs(block.f[j]);
-    block.top[j] = std::copysign(std::sqrt(f * (f + twoC)), block.f[j]);
-  }
-}
-
-HeightFieldSweep::Inside HeightFieldSweep::insideAt(double r, double top, double bottom)
+HeightFieldSweep::Inside HeightFieldSweep::insideAt(int j)
 {
   const std::vector<double>& slopes = *this->Slopes;
-  const double inverse = 1 / std::max(r, 1e-300);
-  const std::uint32_t plane = below(slopes, this->Last.plane, -this->Eye * inverse);
-  if (!(top > 0))
+  const SampleBounds& bounds = this->Bounds;
+  const std::uint32_t plane = below(slopes, this->Last.plane, bounds.plane[j]);
+  if (!(this->Blocks.back().top[j] > 0))
   {
-    return { plane, plane, plane };
+    return { plane, plane, plane, false };
   }
-  return { below(slopes, this->Last.first, (bottom - this->Eye) * inverse),
-    below(slopes, this->Last.last, (top - this->Eye) * inverse), plane };
+  return { below(slopes, this->Last.first, bounds.bottom[j]),
+    below(slopes, this->Last.last, bounds.top[j]), plane, true };
 }
 
+/// Newton's method from the secant's root, within bounds that bisection keeps closing.
 double HeightFieldSweep::crossing(std::uint32_t ray, int j, double from, double to) const
 {
   const SampleBlock& block = this->Blocks.back();
@@ -170,38 +79,33 @@ double HeightFieldSweep::crossing(std::uint32_t ray, int j, double from, double 
   const auto inside = [&](double x) { return field.inside(f(x), height + rise * x); };
   double a = from;
   double b = to;
-  double atA = inside(a);
-  double atB = inside(b);
+  const double atA = inside(a);
+  const double atB = inside(b);
   if ((atA > 0) == (atB > 0))
   {
     return std::abs(atA) < std::abs(atB) ? a : b;
   }
-  // The Illinois rule: a secant whose stale end counts half. Steep rays and dense clouds ask for more digits.
+  // Steep rays and dense clouds ask for more digits.
   const double digits = std::min(1e-5, this->Resolution / block.spacing) / (1 + std::abs(slope));
   const double enough = std::max(1e-13, digits * (to - from));
-  int side = 0;
-  for (int n = 0; n < 60 && b - a > enough; ++n)
+  double x = (a * atB - b * atA) / (atB - atA);
+  for (int n = 1; n < 60 && b - a > enough; ++n)
   {
-    const double x = n % 8 == 7 ? 0.5 * (a + b) : (a * atB - b * atA) / (atB - atA);
-    const double at = inside(x);
-    if (n > 0 && std::abs(x - (side > 0 ? b : a)) < enough)
+    double at;
+    const double change = field.insideSlope(f(x), f.slope(x), height + rise * x, rise, at);
+    ((at > 0) == (atB > 0) ? b : a) = x;
+    const double next = x - at / change;
+    if (n % 8 == 0 || !(next >= a && next <= b))
     {
-      return x;
+      x = 0.5 * (a + b);
+      continue;
     }
-    if ((at > 0) == (atB > 0))
+    // What is left is of the order of the step's square.
+    if ((next - x) * (next - x) < enough)
     {
-      b = x;
-      atB = at;
-      atA *= side == 1 ? 0.5 : 1;
-      side = 1;
+      return next;
     }
-    else
-    {
-      a = x;
-      atA = at;
-      atB *= side == -1 ? 0.5 : 1;
-      side = -1;
-    }
+    x = next;
   }
   return 0.5 * (a + b);
 }
@@ -236,21 +140,152 @@ void HeightFieldSweep::leave(std::uint32_t ray, int j, Listener& listener)
     ray, { block.start + block.spacing * (j + this->crossing(ray, j, 0, 1)), last, j }, listener);
 }
 
+/// A ray that is outside at both samples; passes through cloud if it is inside at x between them.
+void HeightFieldSweep::pass(std::uint32_t ray, int j, double x, Listener& listener)
+{
+  const SampleBlock& block = this->Blocks.back();
+  if (this->Done[ray] || this->Entered[ray].r >= block.at(j))
+  {
+    return; // it has been seen from another side
+  }
+  const double zeta = this->Eye + (*this->Slopes)[ray] * (block.start + block.spacing * (j + x));
+  if (!(this->Field->inside(block.between(j, x), zeta) > 0))
+  {
+    return; // a steep ray that is through already
+  }
+  const int last = static_cast<int>(this->Blocks.size()) - 1;
+  const auto place = [&](double from, double to)
+  {
+    return SweepPlace{ block.start + block.spacing * (j + this->crossing(ray, j, from, to)), last,
+      j };
+  };
+  this->Entered[ray] = place(0, x);
+  this->end(ray, place(x, 1), listener);
+}
+
+/// The place between samples j and j + 1 where the eye sees the top highest (side 1) or the bottom lowest (-1), by golden section.
+HeightFieldSweep::Extreme HeightFieldSweep::extreme(int j, int side) const
+{
+  const SampleBlock& block = this->Blocks.back();
+  const SampleCubic cubic = block.cubic(j);
+  const auto slopeAt = [&](double x)
+  {
+    const double f = std::max(0.0, cubic(x));
+    const double height = side > 0 ? this->Field->top(f) : this->Field->bottom(f);
+    return (height - this->Eye) / std::max(block.start + block.spacing * (j + x), 1e-300);
+  };
+  constexpr double Golden = 0.6180339887498949;
+  double a = 0;
+  double b = 1;
+  double c = b - Golden;
+  double d = a + Golden;
+  double atC = side * slopeAt(c);
+  double atD = side * slopeAt(d);
+  // The slope is flat there: a hundredth in x is 1e-4 of what it rises by.
+  for (int n = 0; n < 9; ++n)
+  {
+    if (atC > atD)
+    {
+      b = d;
+      d = c;
+      atD = atC;
+      c = b - Golden * (b - a);
+      atC = side * slopeAt(c);
+    }
+    else
+    {
+      a = c;
+      c = d;
+      atC = atD;
+      d = a + Golden * (b - a);
+      atD = side * slopeAt(d);
+    }
+  }
+  return atC > atD ? Extreme{ c, side * atC } : Extreme{ d, side * atD };
+}
+
+/// Whether F may be above 0 between two samples where it is not: it would have to rise and fall there.
+bool HeightFieldSweep::swells(int j) const
+{
+  const SampleBlock& block = this->Blocks.back();
+  const double rise = block.spacing * block.slope[j];
+  const double fall = -block.spacing * block.slope[j + 1];
+  return rise > 0 && fall > 0 && block.f[j] + rise > 0 && block.f[j + 1] + fall > 0;
+}
+
+/// Rays that touch a crest between two samples, being above the cloud at both.
+void HeightFieldSweep::touchTop(
+  int j, const Inside& before, const Inside& after, Listener& listener)
+{
+  const SampleBounds& bounds = this->Bounds;
+  if (!(bounds.topRise[j] > 0 && bounds.topRise[j + 1] < 0))
+  {
+    return;
+  }
+  const std::vector<double>& slopes = *this->Slopes;
+  const bool wasCloud = before.isCloud;
+  const bool isCloud = after.isCloud;
+  std::uint32_t first = std::max(wasCloud ? before.last : 0, isCloud ? after.last : 0);
+  const double spacing = this->Blocks.back().spacing;
+  const double highest = wasCloud && isCloud
+    ? std::min(bounds.top[j] + spacing * bounds.topRise[j],
+        bounds.top[j + 1] - spacing * bounds.topRise[j + 1])
+    : Infinity;
+  if (first == slopes.size() || !(slopes[first] < highest))
+  {
+    return;
+  }
+  const Extreme top = this->extreme(j, 1);
+  if (!wasCloud && !isCloud)
+  {
+    first = below(slopes, before.plane, this->extreme(j, -1).slope);
+  }
+  const std::uint32_t last = below(slopes, first, top.slope);
+  for (std::uint32_t ray = first; ray < last; ++ray)
+  {
+    this->pass(ray, j, top.x, listener);
+  }
+}
+
+/// Rays that touch a bulge of the bottom between two samples, being below the cloud at both.
+void HeightFieldSweep::touchBottom(
+  int j, const Inside& before, const Inside& after, Listener& listener)
+{
+  const SampleBounds& bounds = this->Bounds;
+  if (!(bounds.bottomRise[j] < 0 && bounds.bottomRise[j + 1] > 0) ||
+    (!before.isCloud && !after.isCloud))
+  {
+    return;
+  }
+  const std::vector<double>& slopes = *this->Slopes;
+  const auto count = static_cast<std::uint32_t>(slopes.size());
+  const std::uint32_t last =
+    std::min(before.isCloud ? before.first : count, after.isCloud ? after.first : count);
+  const double spacing = this->Blocks.back().spacing;
+  const double lowest = before.isCloud && after.isCloud
+    ? std::max(bounds.bottom[j] + spacing * bounds.bottomRise[j],
+        bounds.bottom[j + 1] - spacing * bounds.bottomRise[j + 1])
+    : -Infinity;
+  if (last == 0 || !(slopes[last - 1] > lowest))
+  {
+    return;
+  }
+  const Extreme bottom = this->extreme(j, -1);
+  for (std::uint32_t ray = below(slopes, last, bottom.slope); ray < last; ++ray)
+  {
+    this->pass(ray, j, bottom.x, listener);
+  }
+}
+
 /// A ray that is outside at both samples but crosses the cloud plane between them: through a cloud, if one is there.
 void HeightFieldSweep::pierce(std::uint32_t ray, int j, Listener& listener)
 {
   const SampleBlock& block = this->Blocks.back();
-  const double slope = (*this->Slopes)[ray];
-  const double x = (-this->Eye / slope - block.at(j)) / block.spacing;
-  if (!(x > 0 && x < 1) || !(block.between(j, x) > 0))
+  const double x = (-this->Eye / (*this->Slopes)[ray] - block.at(j)) / block.spacing;
+  if (x > 0 && x < 1 && block.between(j, x) > 0)
   {
-    return;
+    this->pass(ray, j, x, listener);
   }
-  const int last = static_cast<int>(this->Blocks.size()) - 1;
-  this->Entered[ray] = { block.start + block.spacing * (j + this->crossing(ray, j, 0, x)), last,
-    j };
-  this->end(
-    ray, { block.start + block.spacing * (j + this->crossing(ray, j, x, 1)), last, j }, listener);
 }
 
 void HeightFieldSweep::step(int j, const Inside& before, const Inside& after, Listener& listener)
@@ -277,10 +312,12 @@ void HeightFieldSweep::step(int j, const Inside& before, const Inside& after, Li
       this->enter(ray, j);
     }
   }
+  this->touchTop(j, before, after, listener);
+  this->touchBottom(j, before, after, listener);
   for (std::uint32_t ray = std::min(before.plane, after.plane);
        ray < std::max(before.plane, after.plane); ++ray)
   {
-    if (!this->Done[ray] && !before.holds(ray) && !after.holds(ray))
+    if (!before.holds(ray) && !after.holds(ray))
     {
       this->pierce(ray, j, listener);
     }
@@ -290,17 +327,11 @@ void HeightFieldSweep::step(int j, const Inside& before, const Inside& after, Li
 void HeightFieldSweep::scan(Listener& listener)
 {
   const SampleBlock& block = this->Blocks.back();
-  const HeightFieldShape& shape = this->Field->shape();
-  double bottom[Steps + 1];
-  for (int j = 0; j <= Steps; ++j)
-  {
-    const double u = std::abs(block.f[j]) + shape.c;
-    const double root = std::sqrt(u * u + shape.c * shape.c);
-    bottom[j] = -shape.depth * block.top[j] / std::max(root, 1e-300);
-  }
+  boundsOf(block, this->Field->shape(), this->Eye, this->Bounds);
   if (this->Blocks.size() == 1)
   {
-    this->Last = this->insideAt(block.start, block.top[0], bottom[0]);
+    this->Last = this->insideAt(0);
+    this->IsLastKnown = true;
     for (std::uint32_t ray = this->Last.first; ray < this->Last.last; ++ray)
     {
       this->Entered[ray] = { block.start, 0, 0 };
@@ -308,7 +339,14 @@ void HeightFieldSweep::scan(Listener& listener)
   }
   for (int j = 0; j < Steps; ++j)
   {
-    const Inside next = this->insideAt(block.at(j + 1), block.top[j + 1], bottom[j + 1]);
+    if (!(block.f[j] > 0) && !(block.f[j + 1] > 0) && !this->swells(j))
+    {
+      this->IsLastKnown = false;
+      continue;
+    }
+    this->Last = this->IsLastKnown ? this->Last : this->insideAt(j);
+    this->IsLastKnown = true;
+    const Inside next = this->insideAt(j + 1);
     this->step(j, this->Last, next, listener);
     this->Last = next;
   }
@@ -354,7 +392,6 @@ void HeightFieldSweep::run(const HeightField& field, double planeHeight, const C
   this->Field = &field;
   this->Slopes = &slopes;
   this->Eye = slice.z - planeHeight;
-  this->prepare(slice);
   this->Low = -field.shape().depth;
   this->High = field.top(std::max(0.0, field.upperBound()));
   const HeightFieldRange range =
@@ -363,10 +400,12 @@ void HeightFieldSweep::run(const HeightField& field, double planeHeight, const C
   {
     return;
   }
-  this->Entered.assign(slopes.size(), { 0, -1, 0 });
+  this->Entered.assign(slopes.size(), { -1, -1, 0 });
   this->Done.assign(slopes.size(), 0);
   this->Ahead = { 0, static_cast<std::uint32_t>(slopes.size()) };
   this->Last = {};
+  this->Blocks.clear();
+  this->Samples.begin(field, slice, range.first);
   // Without waves F is a parabola, which the cubics follow exactly.
   double spacing =
     std::min(field.shortestWave() / samplesPerWave, (range.last - range.first) / 256);
@@ -374,11 +413,12 @@ void HeightFieldSweep::run(const HeightField& field, double planeHeight, const C
   double start = range.first;
   while (start < range.last && this->isAhead(start, slice.far))
   {
-    while (2 * spacing < slice.growth * start)
+    while (1.4 * spacing < slice.growth * start)
     {
       spacing *= 2;
     }
-    this->sample(start, std::min(spacing, (range.last - start) / Steps));
+    this->Samples.sample(
+      start, std::min(spacing, (range.last - start) / Steps), this->Blocks.emplace_back());
     listener.sampled(this->Blocks.back());
     this->scan(listener);
     start = this->Blocks.back().at(Steps);

@@ -4,19 +4,21 @@
  * @brief Samples of a height field along a slice, and where a fan of rays enters and leaves the cloud.
  *
  * Passes over the slice, block by block from the eye outwards:
- *  1. F and dF/dr at equally spaced samples, the waves by turning their phases (cos(a + b) and sin(a + b)), and from them the slopes
- *     under which the eye sees the cloud's top and bottom there;
+ *  1. F and dF/dr at equally spaced samples (HeightFieldSamples.h), and from them the slopes under which the eye sees the cloud's
+ *     top and bottom there;
  *  2. the rays, sorted by slope, that are inside at a sample are those between bottom and top: one range of indices. What leaves or
  *     joins the range between two samples is the rays that leave or enter the cloud there, so that the work is that of the samples
- *     plus that of the crossings (Max 1986 section 4 scans polygons for them). Rays inside at neither of the samples which meet
- *     the cloud plane between them are looked at too;
- *  3. a crossing is the root of HeightField::inside on the cubic through F and dF/dr of the two samples, whose error is that of
+ *     plus that of the crossings (Max 1986 section 4 scans polygons for them);
+ *  3. rays that are inside at neither of two samples can be between them: those that touch a crest of the top or a bulge of the bottom, or a
+ *     cloud that is smaller than the samples' distance, as the slopes' derivatives tell; and those that meet the cloud plane in a cloud;
+ *  4. a crossing is the root of HeightField::inside on the cubic through F and dF/dr of the two samples, whose error is that of
  *     Hermite interpolation, (2 pi / samplesPerWave)^4 / 384 of a wave's amplitude.
  */
 #ifndef HeightFieldSweep_h
 #define HeightFieldSweep_h
 
 #include "HeightFieldRay.h"
+#include "HeightFieldSamples.h"
 
 #include <cstddef>
 #include <utility>
@@ -24,37 +26,15 @@
 
 namespace nephoscope
 {
-/// A cubic of x from 0 to 1 between two samples.
-struct SampleCubic
+/// The slopes under which the eye sees the cloud's top, its bottom and the cloud plane at the samples of a block, and their d/dr; where there is
+/// no cloud these have the signs of dF/dr and its opposite.
+struct SampleBounds
 {
-  double a, b, c, d;
-  double operator()(double x) const
-  {
-    return this->a + x * (this->b + x * (this->c + x * this->d));
-  }
-};
-
-/// Samples start + j spacing, j = 0 to Steps; the last is the next block's first.
-struct SampleBlock
-{
-  static constexpr int Steps = 64;
-  double start;
-  double spacing;
-  double f[Steps + 1];     ///< F, m
-  double slope[Steps + 1]; ///< dF/dr
-  double top[Steps + 1];   ///< g, m
-
-  double at(int j) const { return this->start + this->spacing * j; }
-
-  /// F between samples j and j + 1.
-  SampleCubic cubic(int j) const
-  {
-    const double d0 = this->slope[j] * this->spacing;
-    const double d1 = this->slope[j + 1] * this->spacing;
-    const double rise = this->f[j + 1] - this->f[j];
-    return { this->f[j], d0, 3 * rise - 2 * d0 - d1, d0 + d1 - 2 * rise };
-  }
-  double between(int j, double x) const { return this->cubic(j)(x); }
+  double top[SampleBlock::Steps + 1];
+  double bottom[SampleBlock::Steps + 1];
+  double plane[SampleBlock::Steps + 1];
+  double topRise[SampleBlock::Steps + 1];
+  double bottomRise[SampleBlock::Steps + 1];
 };
 
 /// A place on a slice: between samples `step` and step + 1 of a block.
@@ -88,34 +68,34 @@ public:
   const SampleBlock& block(int b) const { return this->Blocks[static_cast<std::size_t>(b)]; }
 
 private:
-  /// A wave along the slice: amplitude w(angle + speed r), and the turns by speed times spacing.
-  struct Phase
-  {
-    double amplitude;
-    double speed;
-    double angle;
-    WaveShape shape;
-    double cosine[SampleBlock::Steps + 1];
-    double sine[SampleBlock::Steps + 1];
-  };
   /// The rays inside the cloud at a sample, and how many are below the plane's slope there.
   struct Inside
   {
     std::uint32_t first;
     std::uint32_t last;
     std::uint32_t plane;
+    bool isCloud;
     bool holds(std::uint32_t ray) const { return ray >= this->first && ray < this->last; }
   };
 
-  void prepare(const CloudSlice& slice);
-  void turn(double spacing);
-  void sample(double start, double spacing);
   void scan(Listener& listener);
   void step(int j, const Inside& before, const Inside& after, Listener& listener);
-  Inside insideAt(double r, double top, double bottom);
+  /// A place between two samples, 0 to 1, and the slope under which the eye sees it.
+  struct Extreme
+  {
+    double x;
+    double slope;
+  };
+
+  Inside insideAt(int j);
   void enter(std::uint32_t ray, int j);
   void leave(std::uint32_t ray, int j, Listener& listener);
+  void pass(std::uint32_t ray, int j, double x, Listener& listener);
   void pierce(std::uint32_t ray, int j, Listener& listener);
+  void touchTop(int j, const Inside& before, const Inside& after, Listener& listener);
+  void touchBottom(int j, const Inside& before, const Inside& after, Listener& listener);
+  Extreme extreme(int j, int side) const;
+  bool swells(int j) const;
   void closeAll(Listener& listener);
   bool isAhead(double r, double far);
   double crossing(std::uint32_t ray, int j, double from, double to) const;
@@ -127,15 +107,15 @@ private:
   double Low = 0;
   double High = 0;
   double Resolution = 0;
-  double Polynomial[3] = {};
-  std::vector<Phase> Phases;
-  double Turned = 0; ///< the spacing of the turns
+  HeightFieldSamples Samples;
+  SampleBounds Bounds; ///< of the newest block
   std::vector<SampleBlock> Blocks;
   std::vector<SweepPlace> Entered; ///< of each ray; block -1 outside
   std::vector<char> Done;
   std::pair<std::uint32_t, std::uint32_t>
     Ahead; ///< rays outside this range have no cloud before them
   Inside Last{};
+  bool IsLastKnown = false;
 };
 }
 #endif

@@ -2,6 +2,7 @@
 #include "SliceFan.h"
 
 #include "Camera.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +14,61 @@ namespace
 {
 constexpr double Pi = 3.141592653589793;
 constexpr double Steepest = 1e7;
+/// Distance of slices where they are widest apart, pixels. A pixel's ray is turned by half of it at most, which adds a tenth to the error
+/// that one sample a pixel has of itself.
+constexpr double SliceSpacing = 0.8;
+
+double slopeOf(double up, double across)
+{
+  return std::abs(up) < Steepest * across ? up / across : std::copysign(Steepest, up);
+}
 
 double slopeOf(const Vector3& direction)
 {
-  const double across = std::hypot(direction[0], direction[1]);
-  return std::abs(direction[2]) < Steepest * across ? direction[2] / across
-                                                    : std::copysign(Steepest, direction[2]);
+  return slopeOf(direction[2], std::hypot(direction[0], direction[1]));
+}
+
+/// Azimuths of pixels, and the largest of their distances from the vertical axis at depth 1.
+struct AzimuthRange
+{
+  double least = Pi;
+  double greatest = -Pi;
+  double widest = 0;
+
+  void include(const AzimuthRange& other)
+  {
+    this->least = std::min(this->least, other.least);
+    this->greatest = std::max(this->greatest, other.greatest);
+    this->widest = std::max(this->widest, other.widest);
+  }
+};
+
+/// Calls f(0) to f(count - 1), in parallel.
+template <class F>
+void forEach(std::size_t count, const F& f)
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count),
+    [&f](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        f(static_cast<std::size_t>(i));
+      }
+    });
+}
+
+/// atan2 to 1e-5 (Abramowitz and Stegun 4.4.49), a hundredth of the distance of slices and a tenth of the C library's time.
+double roughAngle(double y, double x)
+{
+  const double a = std::abs(x);
+  const double b = std::abs(y);
+  const double t = std::min(a, b) / std::max(std::max(a, b), 1e-300);
+  const double t2 = t * t;
+  double angle =
+    t * (0.999866 + t2 * (-0.3302995 + t2 * (0.180141 + t2 * (-0.085133 + t2 * 0.0208351))));
+  angle = b > a ? Pi / 2 - angle : angle;
+  angle = x < 0 ? Pi - angle : angle;
+  return y < 0 ? -angle : angle;
 }
 
 bool hasVerticalColumns(const Camera& camera)
@@ -90,34 +140,47 @@ void SliceFan::byAzimuth(const Camera& camera)
   const Vector3& ahead = camera.forward();
   const Vector3& middle = std::abs(ahead[2]) < 0.999 ? ahead : camera.up();
   const double toward = std::atan2(middle[1], middle[0]);
-  std::vector<double> azimuth;
-  std::vector<double> slopes;
-  double least = Pi;
-  double greatest = -Pi;
-  double widest = 0;
-  for (int y = 0; y < this->Height; ++y)
-  {
-    for (int x = 0; x < this->Width; ++x)
+  const double cosine = std::cos(toward);
+  const double sine = std::sin(toward);
+  const auto width = static_cast<std::size_t>(this->Width);
+  std::vector<double> azimuth(width * static_cast<std::size_t>(this->Height));
+  std::vector<double> slopes(azimuth.size());
+  std::vector<AzimuthRange> rows(static_cast<std::size_t>(this->Height));
+  forEach(rows.size(),
+    [&](std::size_t y)
     {
-      const Vector3 d = camera.ray(x + 0.5, y + 0.5).direction;
-      azimuth.push_back(std::remainder(std::atan2(d[1], d[0]) - toward, 2 * Pi));
-      slopes.push_back(slopeOf(d));
-      least = std::min(least, azimuth.back());
-      greatest = std::max(greatest, azimuth.back());
-      widest = std::max(widest, std::hypot(d[0], d[1]) / std::max(1e-9, dot(d, ahead)));
-    }
+      AzimuthRange& row = rows[y];
+      for (std::size_t x = 0; x < width; ++x)
+      {
+        const Vector3 d =
+          camera.ray(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5).direction;
+        const double across = std::sqrt(d[0] * d[0] + d[1] * d[1]);
+        const double angle = roughAngle(d[1] * cosine - d[0] * sine, d[0] * cosine + d[1] * sine);
+        azimuth[y * width + x] = angle;
+        slopes[y * width + x] = slopeOf(d[2], across);
+        row.include({ angle, angle, across / std::max(1e-9, dot(d, ahead)) });
+      }
+    });
+  AzimuthRange all;
+  for (const AzimuthRange& row : rows)
+  {
+    all.include(row);
   }
-  const double spacing = 0.5 * camera.pixel() / widest;
-  const auto slices = static_cast<std::uint32_t>(std::ceil((greatest - least) / spacing) + 1);
+  const double spacing = SliceSpacing * camera.pixel() / all.widest;
+  const auto slices =
+    static_cast<std::uint32_t>(std::ceil((all.greatest - all.least) / spacing) + 1);
   for (std::uint32_t s = 0; s <= slices; ++s)
   {
-    const double angle = toward + least + s * spacing;
+    const double angle = toward + all.least + s * spacing;
     this->Slices.push_back({ camera.eye(), std::cos(angle), std::sin(angle), 0 });
   }
-  for (const double angle : azimuth)
-  {
-    this->SliceOf.push_back(static_cast<std::uint32_t>(std::lround((angle - least) / spacing)));
-  }
+  this->SliceOf.resize(azimuth.size());
+  forEach(azimuth.size(),
+    [&](std::size_t pixel)
+    {
+      this->SliceOf[pixel] =
+        static_cast<std::uint32_t>(std::lround((azimuth[pixel] - all.least) / spacing));
+    });
   this->fill(slopes);
 }
 
@@ -139,17 +202,25 @@ void SliceFan::fill(const std::vector<double>& slopeOf)
   {
     pixels[next[this->SliceOf[pixel]]++] = static_cast<std::uint32_t>(pixel);
   }
-  for (std::size_t s = 0; s < this->numberOfSlices(); ++s)
-  {
-    std::sort(pixels.begin() + static_cast<std::ptrdiff_t>(this->Slices[s].first),
-      pixels.begin() + static_cast<std::ptrdiff_t>(this->Slices[s + 1].first),
-      [&slopeOf](std::uint32_t a, std::uint32_t b) { return slopeOf[a] < slopeOf[b]; });
-  }
   this->Slots.resize(pixels.size());
-  for (const std::uint32_t pixel : pixels)
-  {
-    this->Slots[pixel] = static_cast<std::uint32_t>(this->Slopes.size());
-    this->Slopes.push_back(slopeOf[pixel]);
-  }
+  this->Slopes.resize(pixels.size());
+  forEach(this->numberOfSlices(),
+    [&](std::size_t s)
+    {
+      const auto begin = pixels.begin() + static_cast<std::ptrdiff_t>(this->Slices[s].first);
+      const auto end = pixels.begin() + static_cast<std::ptrdiff_t>(this->Slices[s + 1].first);
+      const auto isFlatter = [&slopeOf](std::uint32_t a, std::uint32_t b)
+      { return slopeOf[a] < slopeOf[b]; };
+      // An upright picture's rows are in order.
+      if (!std::is_sorted(begin, end, isFlatter))
+      {
+        std::sort(begin, end, isFlatter);
+      }
+      for (std::size_t slot = this->Slices[s].first; slot < this->Slices[s + 1].first; ++slot)
+      {
+        this->Slots[pixels[slot]] = static_cast<std::uint32_t>(slot);
+        this->Slopes[slot] = slopeOf[pixels[slot]];
+      }
+    });
 }
 }

@@ -5,6 +5,7 @@
 #include "CloudArrays.h"
 #include "Cumulus.h"
 #include "DeepTile.h"
+#include "Exponential.h"
 #include "HeightFieldScattering.h"
 #include "SliceFan.h"
 #include "vtkDataObject.h"
@@ -270,7 +271,8 @@ void vtkCloudHeightField::EmitPixel(
     const double light = share < 1
       ? drawn.Parts->part(drawn.Slice(slice), slope, waiting.NearEnd, farEnd)
       : waiting.Light;
-    const double glow = -std::expm1(-this->ViewExtinction * gamma * (farEnd - waiting.NearEnd));
+    const double glow =
+      1 - nephoscope::exponential(-this->ViewExtinction * gamma * (farEnd - waiting.NearEnd));
     nephoscope::Segment segment;
     segment.nearEnd = gamma * waiting.NearEnd;
     segment.farEnd = gamma * farEnd;

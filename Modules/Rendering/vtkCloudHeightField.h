@@ -5,8 +5,8 @@
  *
  * The picture is cut into vertical half planes from the eye, slices, each of which is worked out at once and in parallel:
  *  1. Prepare gives every pixel to a slice. Where columns of pixels are vertical planes (a level perspective view, an upright
- *     cylinder) each column is one; else slices are half a pixel apart at the picture's widest, and each pixel goes to the
- *     nearest, at its own slope, which is a quarter of a pixel away at most. A parallel view has a slice for every pixel.
+ *     cylinder) each column is one; else slices are 0.8 pixels apart at the picture's widest, and each pixel goes to the
+ *     nearest, at its own slope, which is 0.4 pixels away at most. A parallel view has a slice for every pixel.
  *  2. Each slice's rays get their segments from nephoscope::HeightFieldScattering.
  *  3. Emit puts them into deep pixels. A segment that something opaque ends is integrated anew up to there.
  *
@@ -18,8 +18,8 @@
  * Errors   no such array, an array that is no height field, an unknown method: vtkErrorMacro, nothing is drawn.
  * Cost     with Moments some 2 us a pixel, see HeightFieldScattering.h; memory 32 bytes a segment and 20 a pixel. The same bits for any
  *          number of threads.
- * Limits   nothing is seen beyond FarDistance. A chord through a wave's crest that is shorter than the distance of the
- *          samples and does not meet the cloud plane is missed.
+ * Limits   nothing is seen beyond FarDistance. Waves shorter than 4 pixels fade, those below 1.2 are gone; a parallel view has all of
+ *          them.
  * @sa vtkCloudHeightFieldSource, nephoscope::HeightFieldScattering
  */
 #ifndef vtkCloudHeightField_h

@@ -195,3 +195,60 @@ TEST(HeightField, CumulusCoversItsShare)
     EXPECT_FALSE(shapeOf(numbers.data(), 5, copy, plane));
   }
 }
+
+// Waves of 4 pixels are as they are, those below 1.2 are gone but for their mean, and between they fall.
+TEST(HeightField, WavesFadeInPixels)
+{
+  HeightFieldShape shape;
+  shape.polynomial[0] = 3;
+  shape.waves = { { 5, 0.03, 0.04, 0.4 }, { 2, 0.04, -0.03, 1, WaveShape::Absolute },
+    { 1, 0.05, 0, 2, WaveShape::Root } };
+  const HeightField field(shape);
+  const double length = 2 * 3.14159265358979 / 0.05;
+  EXPECT_DOUBLE_EQ(field.value(12, 34, length / 8.01), field.value(12, 34));
+  EXPECT_DOUBLE_EQ(field.value(12, 34, length / 1.19), 3 + 2 * MeanAbsolute + MeanRoot);
+  double last = 1;
+  for (double x = 1.6; x < 5.2; x += 0.1)
+  {
+    EXPECT_LT(waveLeft(x), last);
+    EXPECT_GT(waveLeft(x), 0);
+    last = waveLeft(x);
+  }
+}
+
+// The means of |sin| and sqrt |sin| by midpoints.
+TEST(HeightField, MeansOfWavesAreTheirs)
+{
+  double absolute = 0;
+  double root = 0;
+  for (int n = 0; n < 100000; ++n)
+  {
+    const double s = std::sin(3.14159265358979 * (n + 0.5) / 100000);
+    absolute += s / 100000;
+    root += std::sqrt(s) / 100000;
+  }
+  EXPECT_NEAR(absolute, MeanAbsolute, 1e-9);
+  EXPECT_NEAR(root, MeanRoot, 1e-7);
+}
+
+// The derivative of inside() along a line is that of differences, above and below the plane, inside and outside.
+TEST(HeightField, InsidesSlopeIsItsDerivative)
+{
+  HeightFieldShape shape;
+  shape.c = 7;
+  shape.depth = 40;
+  const HeightField field(shape);
+  for (const double f : { -30.0, -3.0, 2.0, 50.0 })
+  {
+    for (const double zeta : { -35.0, -1.0, 4.0, 60.0 })
+    {
+      double value = 0;
+      const double slope = field.insideSlope(f, 0.3, zeta, -0.7, value);
+      EXPECT_DOUBLE_EQ(value, field.inside(f, zeta));
+      const double step = 1e-5;
+      const double rise = field.inside(f + 0.3 * step, zeta - 0.7 * step) -
+        field.inside(f - 0.3 * step, zeta + 0.7 * step);
+      EXPECT_NEAR(slope, rise / (2 * step), 1e-6 * (1 + std::abs(slope)));
+    }
+  }
+}
