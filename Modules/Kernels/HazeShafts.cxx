@@ -82,10 +82,18 @@ HazeShafts::HazeShafts(const CloudShadow& clouds, const Vector3& towardSun, cons
 
 void HazeShafts::tabulate(int radials)
 {
+  if (this->beginTables(radials))
+  {
+    this->tabulateRadials(0, radials);
+  }
+}
+
+bool HazeShafts::beginTables(int radials)
+{
   const GridFrame& frame = this->Clouds.transmittance.frame();
   if (this->Clouds.transmittance.empty() || radials < 4)
   {
-    return;
+    return false;
   }
   // Beyond its farthest corner the map has no value.
   const double x1 = frame.x0 + (frame.nx - 1) * frame.dx;
@@ -97,7 +105,13 @@ void HazeShafts::tabulate(int radials)
   this->Sample = reach / (radials - 1);
   this->Covers.resize(static_cast<std::size_t>(radials) * radials);
   this->Sums.resize(this->Covers.size());
-  for (int radial = 0; radial < radials; ++radial)
+  return true;
+}
+
+void HazeShafts::tabulateRadials(int first, int last)
+{
+  const int radials = this->Radials;
+  for (int radial = first; radial < last; ++radial)
   {
     const double angle = 2 * Pi * radial / radials;
     float* const covers = &this->Covers[static_cast<std::size_t>(radial) * radials];

@@ -63,6 +63,9 @@ public:
   /// Make the tables of Moments: `radials` directions of as many samples. Without them, or without clouds, it is Exact. Cost:
   /// radials^2 lookups, 28 bytes each.
   void tabulate(int radials);
+  /// The same in parts, which threads may share: memory for the tables, then each radial once. False if there is nothing to tabulate.
+  bool beginTables(int radials);
+  void tabulateRadials(int first, int last);
 
   /// Which part of a ray from t0 to t1 lies below the cloud plane; turned around if none does.
   struct Stretch

@@ -9,6 +9,7 @@
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,9 +102,11 @@ bool vtkCloudHaze::Prepare(const nephoscope::Camera& camera)
     nephoscope::Vector3{ this->TowardSun[0], this->TowardSun[1], this->TowardSun[2] });
   air.Shafts = std::make_unique<nephoscope::HazeShafts>(air.Clouds, air.TowardSun, camera.eye(),
     nephoscope::Channels{ this->Extinction[0], this->Extinction[1], this->Extinction[2] });
-  if (this->Method == Moments)
+  if (this->Method == Moments && air.Shafts->beginTables(this->Radials))
   {
-    air.Shafts->tabulate(this->Radials);
+    vtkSMPTools::For(0, this->Radials,
+      [&air](vtkIdType first, vtkIdType last)
+      { air.Shafts->tabulateRadials(static_cast<int>(first), static_cast<int>(last)); });
   }
   return true;
 }
