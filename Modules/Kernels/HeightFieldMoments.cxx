@@ -87,19 +87,12 @@ void HeightFieldMoments::sampled(const SampleBlock& block)
   const double highest = *std::max_element(block.top, block.top + Steps + 1);
   this->Light->largestSunArgument = std::max(this->Light->largestSunArgument, sun * highest);
   this->Tall = this->Tall || sun * highest > 300;
-  double left[Steps];
-  double right[Steps];
+  double left[Steps] = {}; // of no use where no ray is inside at any sample
+  double right[Steps] = {};
   if (highest > 0)
   {
     transmitted(block, sun, 2 * this->Field.shape().c, left, right);
   }
-  else
-  {
-    // No ray is inside at any sample, so that none asks.
-    std::fill(left, left + Steps, 0.0);
-    std::fill(right, right + Steps, 0.0);
-  }
-
   const bool isFirst = this->Tables.empty();
   if (isFirst)
   {
