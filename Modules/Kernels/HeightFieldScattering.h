@@ -19,7 +19,8 @@
  *   Exact     adaptive Gauss-Kronrod quadrature, split at kinks and where light fades, with an error estimate
  *   March     midpoints of equal steps along the ray: what everyone has
  *   Sexp1986  Max's quadratic for the exponentials and running sums of moments, misprints corrected (delta, d and e; T with the
- *             true rR); y_R and g limited as he says. Wrong by 16 % at optical depth 1 and 86 % at 16.
+ *             true rR); y_R and g limited as he says. Wrong by 16 % at optical depth 1 and 86 % at 16. With
+ *             fitted factors and gain less so.
  *   Moments   tables of the moments of exp(-rhoA g) and orthogonal polynomials for what depends on the ray; the default
  *
  * Errors     none thrown but by make() for a name it does not know. A slice that is not finite is empty.
@@ -101,6 +102,10 @@ struct ScatteringSettings
   double samplesPerWave = 12; ///< Sexp1986, Moments: of the shortest wave
   double pieceDepth = 1.5;    ///< Moments: delta times the length of the first piece of a segment
   double tolerance = 1e-10;   ///< Exact: of each part of a segment, relative
+  double sunFactor =
+    1; ///< Sexp1986: on rhoA in the exponentials' stand-ins, >= 0; fitted, see FitHeightField.h
+  double viewFactor = 1; ///< Sexp1986: on rhoB there, but not where it scatters
+  double gain = 1;       ///< Sexp1986: on I
 };
 
 /// Beyond this optical depth along the ray less than 2e-8 of the sunlight is left to see.

@@ -17,14 +17,14 @@ void HeightFieldSexp::run(const CloudSlice& slice)
 
 void HeightFieldSexp::sampled(const SampleBlock& block)
 {
-  const double most = 2 / std::max(this->Densities.sun, 1e-300);
+  const double sun = this->Settings.sunFactor * this->Densities.sun;
+  const double most = 2 / std::max(sun, 1e-300);
   std::array<double, 6> sum = this->Sums.empty() ? std::array<double, 6>{} : this->Sums.back();
   for (int j = this->Places.empty() ? 0 : 1; j <= SampleBlock::Steps; ++j)
   {
     const double y = block.at(j);
     const double top = std::max(0.0, block.top[j]);
-    this->Light->largestSunArgument =
-      std::max(this->Light->largestSunArgument, this->Densities.sun * top);
+    this->Light->largestSunArgument = std::max(this->Light->largestSunArgument, sun * top);
     const double g = std::min(top, most);
     const double width = this->Places.empty() ? 0 : y - this->Places.back();
     sum[0] += g * width;
@@ -53,14 +53,16 @@ bool HeightFieldSexp::chord(std::uint32_t ray, const SweepPlace& in, const Sweep
   {
     return true;
   }
-  const HeightFieldRay at(this->Sweep.eye(), this->Slopes[ray], this->Densities);
+  const ScatteringDensities fitted{ this->Settings.sunFactor * this->Densities.sun,
+    this->Settings.viewFactor * this->Densities.view, this->Densities.behind };
+  const HeightFieldRay at(this->Sweep.eye(), this->Slopes[ray], fitted);
   const double delta = at.delta();
   const double y1 = in.r;
   const double y2 = delta > 0 ? std::min(last, y1 + 2 / delta) : last;
   const double a = 1 + delta * y1 * (1 + delta * y1 / 4);
   const double b = -delta * (1 + 0.5 * delta * y1);
   const double c = 0.25 * delta * delta;
-  const double d = -this->Densities.sun;
+  const double d = -fitted.sun;
   const double e = 0.25 * d * d;
   const std::size_t k1 = this->nearest(y1, in);
   // The limited end can lie anywhere before the segment's.
@@ -85,7 +87,8 @@ bool HeightFieldSexp::chord(std::uint32_t ray, const SweepPlace& in, const Sweep
     a * length + b * 0.5 * (y2 * y2 - y1 * y1) + c * (y2 * y2 * y2 - y1 * y1 * y1) / 3;
   const double sum = plain + d * (a * moment[0] + b * moment[1] + c * moment[2]) +
     e * (a * moment[3] + b * moment[4] + c * moment[5]);
-  const double k = at.view * std::exp(std::min(700.0, this->Densities.sun * at.zeta(y1)));
+  const double k = this->Settings.gain * this->Densities.view * at.gamma *
+    std::exp(std::min(700.0, fitted.sun * at.zeta(y1)));
   return this->add(ray, y1, last, k * sum);
 }
 }

@@ -205,6 +205,12 @@ bool vtkCloudHeightField::Prepare(const nephoscope::Camera& camera)
       "FarDistance " << this->FarDistance << " and Step " << this->Step << " have to be above 0.");
     return false;
   }
+  if (!(this->SunFactor > 0) || !(this->ViewFactor > 0) || !(this->Gain > 0))
+  {
+    vtkErrorMacro("SunFactor " << this->SunFactor << ", ViewFactor " << this->ViewFactor
+                               << " and Gain " << this->Gain << " have to be above 0.");
+    return false;
+  }
   if (!this->ReadField())
   {
     return false;
@@ -219,6 +225,9 @@ bool vtkCloudHeightField::Prepare(const nephoscope::Camera& camera)
     this->BackgroundExtinction };
   nephoscope::ScatteringSettings settings;
   settings.step = this->Step;
+  settings.sunFactor = this->SunFactor;
+  settings.viewFactor = this->ViewFactor;
+  settings.gain = this->Gain;
   drawn.Parts = nephoscope::HeightFieldScattering::make(
     "Moments", nephoscope::HeightField(drawn.Shape), drawn.PlaneHeight, densities, settings);
   SliceWorker worker(drawn, this->Method, densities, settings);
@@ -297,6 +306,9 @@ void vtkCloudHeightField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Asymmetry: " << this->Asymmetry << '\n';
   os << indent << "FarDistance: " << this->FarDistance << '\n';
   os << indent << "Step: " << this->Step << '\n';
+  os << indent << "SunFactor: " << this->SunFactor << '\n';
+  os << indent << "ViewFactor: " << this->ViewFactor << '\n';
+  os << indent << "Gain: " << this->Gain << '\n';
   os << indent << "LargestViewArgument: " << this->LargestViewArgument << '\n';
   os << indent << "LargestSunArgument: " << this->LargestSunArgument << '\n';
 }

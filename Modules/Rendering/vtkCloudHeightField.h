@@ -70,6 +70,17 @@ public:
   ///@}
 
   ///@{
+  /// Constants of Sexp1986, fitted to the exact light (Data/Calibration/heightfield.json, fits "printed ..."): factors on the
+  /// extinctions in the exponentials' stand-ins, and on the light. > 0. Defaults 1, Max's own.
+  vtkSetMacro(SunFactor, double);
+  vtkGetMacro(SunFactor, double);
+  vtkSetMacro(ViewFactor, double);
+  vtkGetMacro(ViewFactor, double);
+  vtkSetMacro(Gain, double);
+  vtkGetMacro(Gain, double);
+  ///@}
+
+  ///@{
   /// Max 1986 asks for arguments of at most 2 of his quadratics: the largest delta (yR - yL) and rho g of the last picture. They limit
   /// Sexp1986 alone.
   vtkGetMacro(LargestViewArgument, double);
@@ -94,6 +105,9 @@ protected:
   double Asymmetry = 0;
   double FarDistance = 50000;
   double Step = 5;
+  double SunFactor = 1;
+  double ViewFactor = 1;
+  double Gain = 1;
   double LargestViewArgument = 0;
   double LargestSunArgument = 0;
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""fit density, and optical depths that occur in a scene."""
+"""fit density, optical depths that occur in a scene, and fitted constants in a picture."""
 import json
+import os
 
 from program import ROOT, SAMPLE, ProgramTest, main, run
 
@@ -81,6 +82,46 @@ class Depths(FitTest):
         self.assert_refused(self.fit("transmittance", "--scene", SCENES / "surface.yaml"), 1,
                             "no clouds with an optical depth")
         self.assert_refused(self.fit("slab", "--data", SAMPLE), 2, "fit slab takes no --scene or --data")
+
+
+class Constants(ProgramTest):
+    """Constants of a height field's Sexp1986: without, shipped, of a file, and of files that cannot be used."""
+
+    def draw(self, calibration, **environment):
+        scene, picture = self.folder / "scene.yaml", self.folder / "out.png"
+        scene.write_text("{picture: {size: [48, 32], samples: 1}, camera: {position: [0, 0, 250], target: [0, 1000, 530], "
+                         "viewAngle: 50}, bodies: [{type: heightField, cover: 0.6, waves: 6, billows: 0, method: Sexp1986, "
+                         f"calibration: {calibration}}}]}}\n")
+        done = run("render", scene, "-o", picture, env={**os.environ, **environment})
+        return done, picture.read_bytes() if done.returncode == 0 else None
+
+    def test_change_the_picture(self):
+        own = self.folder / "own.json"
+        own.write_bytes((ROOT / "Data" / "Calibration" / "heightfield.json").read_bytes())
+        _, plain = self.draw("none")
+        done, shipped = self.draw("shipped")
+        self.assert_done(done)
+        self.assertNotEqual(shipped, plain)
+        self.assertEqual(self.draw("own.json")[1], shipped)
+
+    def test_are_those_of_1986_where_the_shipped_ones_are_broken(self):
+        (self.folder / "heightfield.json").write_text('{"format": "nephoscope calibration", "ver')
+        done, picture = self.draw("shipped", NEPHOSCOPE_CALIBRATION=str(self.folder))
+        self.assert_done(done)
+        self.assertIn("is cut short", done.stderr)
+        self.assertIn("Max's own constants are used", done.stderr)
+        self.assertEqual(picture, self.draw("none")[1])
+
+    def test_of_a_file_have_to_be_there(self):
+        self.assert_refused(self.draw("missing.json")[0], 1, "missing.json: there is no calibration to read")
+        text = (ROOT / "Data" / "Calibration" / "heightfield.json").read_text()
+        (self.folder / "edited.json").write_text(text.replace("0.70", "0.71", 1))
+        self.assert_refused(self.draw("edited.json")[0], 1, "edited.json: was edited by hand")
+        (self.folder / "newer.json").write_text(text.replace('"version": 1', '"version": 9', 1))
+        self.assert_refused(self.draw("newer.json")[0], 1, "newer.json: is of version 9, newer than 1")
+        other = (ROOT / "Data" / "Calibration" / "slab.json").read_text()
+        (self.folder / "other.json").write_text(other)
+        self.assert_refused(self.draw("other.json")[0], 1, "has no fit 'printed with gain")
 
 
 if __name__ == "__main__":

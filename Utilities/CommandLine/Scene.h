@@ -181,6 +181,7 @@ struct HeightFieldBody
   double sunlight = 1;
   std::array<double, 2> travel{ 0, 0 }; ///< m
   std::string method = "Moments";
+  std::string calibration = "none"; ///< none, shipped or a file
 };
 
 using Body = std::variant<SurfaceBody, TextureBody, VolumeBody, GlobeBody, PlaneBody, TerrainBody,

@@ -3,6 +3,7 @@
 
 #include "Daylight.h"
 #include "Failure.h"
+#include "FittedConstants.h"
 #include "Messages.h"
 #include "ModelFile.h"
 #include "Progress.h"
@@ -199,6 +200,10 @@ public:
     clouds->SetSunExtinction(body.extinction[0] / 1000);
     clouds->SetViewExtinction(body.extinction[1] / 1000);
     clouds->SetBackgroundExtinction(body.extinction[2] / 1000);
+    if (body.method == "Sexp1986")
+    {
+      setConstants(clouds, body);
+    }
     clouds->SetAsymmetry(body.asymmetry);
     clouds->SetFarDistance(body.far * 1000);
     this->light(clouds);

@@ -336,10 +336,19 @@ Scene parseScene(const std::string& text, const std::string& name)
       name + ":" + std::to_string(error.mark.line + 1) + ": is not YAML: " + error.msg);
   }
   Scene scene = readSections({ name, root });
+  const auto fromScene = [&name](const std::string& file)
+  { return (std::filesystem::path(name).parent_path() / file).lexically_normal().string(); };
   if (!scene.data.file.empty())
   {
-    const std::filesystem::path folder = std::filesystem::path(name).parent_path();
-    scene.data.file = (folder / scene.data.file).lexically_normal().string();
+    scene.data.file = fromScene(scene.data.file);
+  }
+  for (Body& body : scene.bodies)
+  {
+    auto* const clouds = std::get_if<HeightFieldBody>(&body);
+    if (clouds && clouds->calibration != "none" && clouds->calibration != "shipped")
+    {
+      clouds->calibration = fromScene(clouds->calibration);
+    }
   }
   validate(scene, name);
   return scene;

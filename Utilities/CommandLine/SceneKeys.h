@@ -296,6 +296,11 @@ void visitKeys(HeightFieldBody& body, Visitor&& visit)
   visit(Key{ "method", "", "of the scattering; Moments is fast, Exact the reference", "Moments", {},
           {}, { "Moments", "Exact", "March", "Sexp1986" } },
     body.method);
+  visit(Key{ "calibration", "",
+          "constants of Sexp1986: none, for those of 1986; shipped; or a file of fit heightfield, "
+          "relative to the scene file",
+          "none" },
+    body.calibration);
 }
 
 template <class Visitor>

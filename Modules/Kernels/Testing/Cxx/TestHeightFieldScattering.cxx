@@ -252,6 +252,38 @@ TEST(HeightFieldScattering, SexpIsDarkAsPrinted)
   EXPECT_LT(atPaper, 0.45);
 }
 
+// With the constants that were fitted to other clouds Max's quadratics are off by half as much; with factors alone they are the ones of
+// other densities, whose scattering is not.
+TEST(HeightFieldScattering, SexpTakesFittedConstants)
+{
+  ScatteringSettings fine;
+  fine.samplesPerWave = 100;
+  const double atPaper = part(errors("Sexp1986", 1, fine), 0.5);
+  fine.sunFactor = 0.709;
+  fine.viewFactor = 0.864;
+  fine.gain = 1.152;
+  EXPECT_LT(part(errors("Sexp1986", 1, fine), 0.5), 0.5 * atPaper);
+
+  const HeightField field(referenceShape());
+  const CloudSlice slice{ 0, 0, 0, 0.371390676, 0.928476691, 6500 };
+  const ScatteringDensities scaled{ 0.709 * Paper.sun, 0.864 * Paper.view, Paper.behind };
+  SliceLight factors;
+  SliceLight densities;
+  HeightFieldScattering::make("Sexp1986", field, 300, Paper, fine)
+    ->shine(slice, { 0.12, 0.16 }, factors);
+  ScatteringSettings plain;
+  plain.samplesPerWave = 100;
+  HeightFieldScattering::make("Sexp1986", field, 300, scaled, plain)
+    ->shine(slice, { 0.12, 0.16 }, densities);
+  ASSERT_EQ(factors.segments.size(), densities.segments.size());
+  ASSERT_FALSE(factors.segments.empty());
+  for (std::size_t i = 0; i < factors.segments.size(); ++i)
+  {
+    const double expected = 1.152 / 0.864 * densities.segments[i].light;
+    EXPECT_NEAR(factors.segments[i].light, expected, 1e-9 * std::abs(expected));
+  }
+}
+
 // What the rays gain is what their segments give, from front to back, and what hides ends both.
 TEST(HeightFieldScattering, SegmentsMakeTheRay)
 {
