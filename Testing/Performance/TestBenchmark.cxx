@@ -292,3 +292,23 @@ TEST(AdvectionMethods, ErrorsFallWithTheSchemeAndNoPointIsLost)
   EXPECT_LT(ours.at("RK2 cubic 5 m").at("error"), ours.at("RK2 cubic 500 m").at("error") / 10);
   EXPECT_GT(ours.at("RK2 cubic 5 m").at("substeps"), ours.at("RK2 cubic 500 m").at("substeps"));
 }
+
+TEST(VoxelMethods, EachDrawsTheCloudOrSaysWhyNot)
+{
+  Situation situation;
+  situation.points = { 64, 64, 64 };
+  situation.pixels = { 256, 192 };
+  for (const Measurement& m : measure(group("voxels"), situation, { 1, 60 }, {}))
+  {
+    if (!m.method.ours && m.leftOut.find("libopenvdb-tools") != std::string::npos)
+    {
+      std::printf("%s: %s\n", m.method.label().c_str(), m.leftOut.c_str());
+      continue;
+    }
+    ASSERT_EQ(m.leftOut, "") << m.method.label();
+    EXPECT_GT(m.figures.at("pixelsCompared"), 40);
+    EXPECT_LT(m.figures.at("error"), m.method.ours ? 0.01 : 0.2) << m.method.label();
+    std::printf("%-40s first %.3f s, then %.3f s, error %.2g\n", m.method.label().c_str(),
+      m.firstSeconds, m.median(), m.figures.at("error"));
+  }
+}

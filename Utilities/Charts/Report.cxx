@@ -60,7 +60,7 @@ const char* errorLabel(const std::string& group)
 {
   return group == "contour"                    ? "RMS error of cloud fraction over the surface"
     : group == "advection"                     ? "RMS error of position, m of the scene"
-    : group == "order"                         ? "RMS error of radiance"
+    : group == "order" || group == "voxels"    ? "RMS error of radiance"
     : group == "scattering" || group == "haze" ? "Median relative error of light"
                                                : "RMS error of transmittance";
 }
@@ -167,6 +167,10 @@ std::vector<Study> studies(bool quick, int threads)
       accuracy },
     { "haze", "haze", Study::SpeedAndAccuracy, grids({ grid }, picture, threads),
       { 3, quick ? 0.2 : 2.0, true } },
+    { "voxels", "voxels", Study::SpeedAndAccuracy,
+      grids({ quick ? std::array<int, 3>{ 96, 96, 96 } : std::array<int, 3>{ 256, 256, 256 } },
+        quick ? picture : std::array<int, 2>{ 512, 384 }, threads),
+      accuracy },
     { "contour-cells", "contour", Study::GrowthWithCells, grids(sizes, picture, threads), growing },
     { "volume-cells", "volume", Study::GrowthWithCells, grids(sizes, picture, threads), growing },
     { "volume-pixels", "volume", Study::GrowthWithPixels, pictures, growing },

@@ -146,6 +146,7 @@ std::string titleOf(const Study& study)
     : study.group == "order"                        ? "Orders of cells in volume pictures"
     : study.group == "scattering" ? "Sunlight scattered once in height-field clouds"
     : study.group == "haze"       ? "Shafts of sunlight in haze"
+    : study.group == "voxels"     ? "Sunlight scattered once in voxels of an OpenVDB file"
                                   : "Volume pictures of a gridded cloud field";
   switch (study.kind)
   {
@@ -162,8 +163,10 @@ std::string subtitleOf(const Study& study, const std::vector<Measurement>& measu
 {
   const Situation& s = study.situations.front();
   std::string text = study.kind == Study::GrowthWithCells ? "shell round a globe"
+    : study.group == "voxels"                             ? situationText(s)
                                                           : situationText(s) + " round a globe";
-  if ((study.group == "volume" || study.group == "order") && study.kind != Study::GrowthWithPixels)
+  if ((study.group == "volume" || study.group == "order" || study.group == "voxels") &&
+    study.kind != Study::GrowthWithPixels)
   {
     text += ", " + std::to_string(s.pixels[0]) + " x " + std::to_string(s.pixels[1]) + " pixels";
   }

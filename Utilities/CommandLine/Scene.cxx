@@ -31,7 +31,8 @@ void requireView(const Scene& scene, const std::string& name)
 bool needsData(const Body& body)
 {
   return !std::holds_alternative<PlaneBody>(body) && !std::holds_alternative<TerrainBody>(body) &&
-    !std::holds_alternative<WaterBody>(body) && !std::holds_alternative<HeightFieldBody>(body);
+    !std::holds_alternative<WaterBody>(body) && !std::holds_alternative<HeightFieldBody>(body) &&
+    !std::holds_alternative<VoxelBody>(body);
 }
 
 Scene sceneOfStyle(const std::string& style, const std::string& dataFile)
@@ -70,6 +71,15 @@ void validate(const Scene& scene, const std::string& name)
   if (scene.bodies.empty())
   {
     throw UsageFailure(name + ": there is nothing to draw; add bodies: [{ type: volume }]");
+  }
+  for (const Body& body : scene.bodies)
+  {
+    const auto* const voxels = std::get_if<VoxelBody>(&body);
+    if (voxels && voxels->file.empty())
+    {
+      throw UsageFailure(
+        name + ": a 'voxelVolume' has no 'file'; give one, such as file: cloud.vdb");
+    }
   }
   if (scene.data.file.empty())
   {

@@ -184,8 +184,19 @@ struct HeightFieldBody
   std::string calibration = "none"; ///< none, shipped or a file
 };
 
+/// Sparse voxels of an OpenVDB file.
+struct VoxelBody
+{
+  std::string file;
+  std::string grid = "density";
+  double extinction = 1; ///< 1/(scene unit) of a density of 1
+  double albedo = 1;
+  double asymmetry = 0;
+  double sunlight = 1;
+};
+
 using Body = std::variant<SurfaceBody, TextureBody, VolumeBody, GlobeBody, PlaneBody, TerrainBody,
-  WaterBody, HeightFieldBody>;
+  WaterBody, HeightFieldBody, VoxelBody>;
 
 /// Haze of one density everywhere.
 struct UniformMedium

@@ -26,6 +26,10 @@
 #include <vtkCloudTerrain.h>
 #include <vtkCloudTerrainSource.h>
 #include <vtkCloudUniformMedium.h>
+#ifdef NEPHOSCOPE_OPENVDB
+#include <vtkCloudVDBReader.h>
+#include <vtkCloudVoxelVolume.h>
+#endif
 #include <vtkCloudWater.h>
 #include <vtkCloudscape.h>
 #include <vtkMath.h>
@@ -217,6 +221,8 @@ public:
     this->Shadow = shadow;
   }
 
+  void operator()(const VoxelBody& body);
+
   void operator()(const UniformMedium& medium)
   {
     this->addHaze(medium.extinction / 1000, medium.color);
@@ -273,6 +279,33 @@ private:
   std::vector<vtkSmartPointer<vtkCloudWater>> Waters;
   std::vector<std::pair<vtkSmartPointer<vtkCloudBody>, int>> Shaded; // and the port for the shadow
 };
+
+#ifdef NEPHOSCOPE_OPENVDB
+void Builder::operator()(const VoxelBody& body)
+{
+  const vtkNew<vtkCloudVDBReader> reader;
+  reader->SetFileName(body.file.c_str());
+  reader->SetGridName(body.grid);
+  reader->Update();
+  Messages::throwIfError(body.file);
+  const vtkNew<vtkCloudVoxelVolume> voxels;
+  voxels->SetInputConnection(reader->GetOutputPort());
+  voxels->SetExtinctionScale(body.extinction);
+  voxels->SetAlbedo(body.albedo);
+  voxels->SetAsymmetry(body.asymmetry);
+  this->light(voxels);
+  double sun[3];
+  voxels->GetSunColor(sun);
+  voxels->SetSunColor(body.sunlight * sun[0], body.sunlight * sun[1], body.sunlight * sun[2]);
+  this->Built.scape->AddBody(voxels);
+}
+#else
+void Builder::operator()(const VoxelBody& body)
+{
+  throw Failure(body.file +
+    ": this nephoscope was built without OpenVDB; install libopenvdb-dev and build it again");
+}
+#endif
 
 /// The shadow of the clouds about the eye.
 void Builder::placeShadow(vtkCloudHeightFieldShadow* shadow, const HeightFieldBody& body)

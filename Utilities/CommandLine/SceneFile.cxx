@@ -349,6 +349,11 @@ Scene parseScene(const std::string& text, const std::string& name)
     {
       clouds->calibration = fromScene(clouds->calibration);
     }
+    auto* const voxels = std::get_if<VoxelBody>(&body);
+    if (voxels && !voxels->file.empty())
+    {
+      voxels->file = fromScene(voxels->file);
+    }
   }
   validate(scene, name);
   return scene;

@@ -304,6 +304,20 @@ void visitKeys(HeightFieldBody& body, Visitor&& visit)
 }
 
 template <class Visitor>
+void visitKeys(VoxelBody& body, Visitor&& visit)
+{
+  visit(Key{ "file", "", "OpenVDB file, relative to the scene file", "required" }, body.file);
+  visit(Key{ "grid", "", "its fog volume or level set", "density" }, body.grid);
+  visit(Key{ "extinction", "1/(scene unit)", "extinction where the grid has 1", "1", 0, 1e9 },
+    body.extinction);
+  visit(
+    Key{ "albedo", "1", "share of it that is scattered, not absorbed", "1", 0, 1 }, body.albedo);
+  visit(Key{ "asymmetry", "1", "mean cosine of the scattering angle", "0", -0.95, 0.95 },
+    body.asymmetry);
+  visit(Key{ "sunlight", "1", "factor on the sun's light in it", "1", 0, 1e3 }, body.sunlight);
+}
+
+template <class Visitor>
 void visitKeys(UniformMedium& medium, Visitor&& visit)
 {
   visit(Key{ "extinction", "1/km", "optical depth of a kilometre of the scene", "0", 0, 1e6 },
@@ -351,6 +365,7 @@ void visitTypes(Body*, Visitor&& visit)
     "terrain", "made-up hills, opaque, in the shadow of the height-field clouds", TerrainBody());
   visit("water", "sea with waves that mirror sky, sun, clouds and hills, opaque", WaterBody());
   visit("heightField", "clouds between two height functions, lit from above", HeightFieldBody());
+  visit("voxelVolume", "sparse voxels of an OpenVDB file, in sunlight scattered once", VoxelBody());
 }
 
 template <class Visitor>
