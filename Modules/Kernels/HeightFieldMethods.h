@@ -112,6 +112,7 @@ private:
   struct Stretch;
 
   void sampled(const SampleBlock& block) override;
+  void joinTables();
   bool chord(std::uint32_t ray, const SweepPlace& in, const SweepPlace& out) override;
   double light(const HeightFieldRay& ray, const SweepPlace& in, const SweepPlace& out) const;
   double direct(const Stretch& stretch, double to, bool isDense) const;

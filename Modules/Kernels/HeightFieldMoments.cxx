@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Exponential.h"
 #include "HeightFieldMethods.h"
-#include "VectorClones.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +38,6 @@ Cubic in(const Cubic& c, double scale, double shift)
 }
 
 /// G = exp(-rhoA g) for the two Gauss points of each step.
-NEPHOSCOPE_VECTOR_CLONES
 void transmitted(const SampleBlock& block, double sun, double twoC, double* left, double* right)
 {
   constexpr double X = 0.21132486540518712; // (1 - 1 / sqrt 3) / 2
@@ -99,7 +97,6 @@ void HeightFieldMoments::sampled(const SampleBlock& block)
     this->First = block.start;
     this->Unit = Steps * block.spacing;
   }
-  const std::size_t now = this->Tables.size();
   Table& table = this->Tables.emplace_back();
   double sum[Orders] = {};
   for (int j = 0; j < Steps; ++j)
@@ -124,23 +121,31 @@ void HeightFieldMoments::sampled(const SampleBlock& block)
   }
   if (!isFirst)
   {
-    // v = scale u + shift in the block before.
-    const SampleBlock& last = this->Sweep.block(static_cast<int>(now) - 1);
-    const Table& previous = this->Tables[now - 1];
-    const double scale = Steps * last.spacing / this->Unit;
-    const double shift = (last.start - this->First) / this->Unit;
-    for (int i = 0; i < Orders; ++i)
+    this->joinTables();
+  }
+}
+
+/// What lies before the newest table.
+void HeightFieldMoments::joinTables()
+{
+  const std::size_t now = this->Tables.size() - 1;
+  Table& table = this->Tables[now];
+  const Table& previous = this->Tables[now - 1];
+  // v = scale u + shift in the block before.
+  const SampleBlock& last = this->Sweep.block(static_cast<int>(now) - 1);
+  const double scale = Steps * last.spacing / this->Unit;
+  const double shift = (last.start - this->First) / this->Unit;
+  for (int i = 0; i < Orders; ++i)
+  {
+    Cubic power{};
+    power.a[i] = 1;
+    const Cubic local = in(power, scale, shift);
+    double whole = 0;
+    for (int n = 0; n < Orders; ++n)
     {
-      Cubic power{};
-      power.a[i] = 1;
-      const Cubic local = in(power, scale, shift);
-      double whole = 0;
-      for (int n = 0; n < Orders; ++n)
-      {
-        whole += local.a[n] * previous.moment[n][Steps];
-      }
-      table.before[i] = previous.before[i] + whole;
+      whole += local.a[n] * previous.moment[n][Steps];
     }
+    table.before[i] = previous.before[i] + whole;
   }
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HeightFieldSamples.h"
 
-#include "VectorClones.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -22,7 +20,7 @@ struct WaveValue
 /// Adds what is left of a wave to F and dF/dr: `first` at the block's start, `last` at its end. `shape` makes its value of the sine and
 /// cosine of its argument.
 template <class Shape>
-NEPHOSCOPE_INLINE void addWave(
+inline void addWave(
   const SampledWave& wave, double first, double last, SampleBlock& block, const Shape& shape)
 {
   const double step = (last - first) / Steps;
@@ -38,7 +36,6 @@ NEPHOSCOPE_INLINE void addWave(
   }
 }
 
-NEPHOSCOPE_VECTOR_CLONES
 void add(const SampledWave& wave, double first, double last, SampleBlock& block)
 {
   switch (wave.shape)
@@ -66,7 +63,6 @@ void add(const SampledWave& wave, double first, double last, SampleBlock& block)
 }
 
 /// Turns by the wave's speed times a spacing.
-NEPHOSCOPE_VECTOR_CLONES
 void turn(SampledWave& wave, double spacing)
 {
   const bool isTwice = spacing == 2 * wave.turned;
@@ -117,7 +113,6 @@ void HeightFieldSamples::begin(const HeightField& field, const CloudSlice& slice
   }
 }
 
-NEPHOSCOPE_VECTOR_CLONES
 void HeightFieldSamples::sample(double start, double spacing, SampleBlock& block)
 {
   block.start = start;

@@ -24,8 +24,9 @@
  *   Moments   tables of the moments of exp(-rhoA g) and orthogonal polynomials for what depends on the ray; the default
  *
  * Errors     none thrown but by make() for a name it does not know. A slice that is not finite is empty.
- * Limits     densities are brought to [0, 1e9] 1/m, slopes to +-1e7. A ray that leaves the cloud and enters it again between two
- *            samples is taken as inside all the while by the methods that sample (all but Exact).
+ * Limits     densities are brought to [0, 1e9] 1/m, slopes to +-1e7. Methods that sample (all but Exact) take a ray that leaves the
+ *            cloud and enters it again between two samples as inside all the while, and may miss one that is in the cloud between
+ *            two samples only: fewer than 1 % of rays and 5e-5 of the light, in clouds of many waves.
  * @sa HeightField.h, TestHeightFieldScattering.cxx
  */
 #ifndef HeightFieldScattering_h

@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HeightFieldSweep.h"
 
-#include "VectorClones.h"
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nephoscope
 {
 namespace
 {
 constexpr int Steps = SampleBlock::Steps;
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr int MostBlocks = 1 << 14; ///< a million samples
 
-NEPHOSCOPE_VECTOR_CLONES
 void boundsOf(
   const SampleBlock& block, const HeightFieldShape& shape, double eye, SampleBounds& bounds)
 {
@@ -29,12 +24,6 @@ void boundsOf(
     bounds.top[j] = (block.top[j] - eye) * inverse;
     bounds.bottom[j] = (-ratio * block.top[j] - eye) * inverse;
     bounds.plane[j] = -eye * inverse;
-    // dg/dr and dh/dr (HeightField.cxx)
-    const double steep = u * block.slope[j] / std::max(block.top[j], 1e-150);
-    const double deep = -2 * ratio * c2 / std::max(sum, 1e-300) * steep;
-    const bool isCloud = block.f[j] > 0;
-    bounds.topRise[j] = isCloud ? (steep - bounds.top[j]) * inverse : block.slope[j];
-    bounds.bottomRise[j] = isCloud ? (deep - bounds.bottom[j]) * inverse : -block.slope[j];
   }
 }
 
@@ -61,10 +50,10 @@ HeightFieldSweep::Inside HeightFieldSweep::insideAt(int j)
   const std::uint32_t plane = below(slopes, this->Last.plane, bounds.plane[j]);
   if (!(this->Blocks.back().top[j] > 0))
   {
-    return { plane, plane, plane, false };
+    return { plane, plane, plane };
   }
   return { below(slopes, this->Last.first, bounds.bottom[j]),
-    below(slopes, this->Last.last, bounds.top[j]), plane, true };
+    below(slopes, this->Last.last, bounds.top[j]), plane };
 }
 
 /// Newton's method from the secant's root, within bounds that bisection keeps closing.
@@ -140,18 +129,14 @@ void HeightFieldSweep::leave(std::uint32_t ray, int j, Listener& listener)
     ray, { block.start + block.spacing * (j + this->crossing(ray, j, 0, 1)), last, j }, listener);
 }
 
-/// A ray that is outside at both samples; passes through cloud if it is inside at x between them.
-void HeightFieldSweep::pass(std::uint32_t ray, int j, double x, Listener& listener)
+/// A ray that is outside at both samples but crosses the cloud plane between them: through a cloud, if one is there.
+void HeightFieldSweep::pierce(std::uint32_t ray, int j, Listener& listener)
 {
   const SampleBlock& block = this->Blocks.back();
-  if (this->Done[ray] || this->Entered[ray].r >= block.at(j))
+  const double x = (-this->Eye / (*this->Slopes)[ray] - block.at(j)) / block.spacing;
+  if (this->Done[ray] || !(x > 0 && x < 1) || !(block.between(j, x) > 0))
   {
-    return; // it has been seen from another side
-  }
-  const double zeta = this->Eye + (*this->Slopes)[ray] * (block.start + block.spacing * (j + x));
-  if (!(this->Field->inside(block.between(j, x), zeta) > 0))
-  {
-    return; // a steep ray that is through already
+    return;
   }
   const int last = static_cast<int>(this->Blocks.size()) - 1;
   const auto place = [&](double from, double to)
@@ -161,131 +146,6 @@ void HeightFieldSweep::pass(std::uint32_t ray, int j, double x, Listener& listen
   };
   this->Entered[ray] = place(0, x);
   this->end(ray, place(x, 1), listener);
-}
-
-/// The place between samples j and j + 1 where the eye sees the top highest (side 1) or the bottom lowest (-1), by golden section.
-HeightFieldSweep::Extreme HeightFieldSweep::extreme(int j, int side) const
-{
-  const SampleBlock& block = this->Blocks.back();
-  const SampleCubic cubic = block.cubic(j);
-  const auto slopeAt = [&](double x)
-  {
-    const double f = std::max(0.0, cubic(x));
-    const double height = side > 0 ? this->Field->top(f) : this->Field->bottom(f);
-    return (height - this->Eye) / std::max(block.start + block.spacing * (j + x), 1e-300);
-  };
-  constexpr double Golden = 0.6180339887498949;
-  double a = 0;
-  double b = 1;
-  double c = b - Golden;
-  double d = a + Golden;
-  double atC = side * slopeAt(c);
-  double atD = side * slopeAt(d);
-  // The slope is flat there: a hundredth in x is 1e-4 of what it rises by.
-  for (int n = 0; n < 9; ++n)
-  {
-    if (atC > atD)
-    {
-      b = d;
-      d = c;
-      atD = atC;
-      c = b - Golden * (b - a);
-      atC = side * slopeAt(c);
-    }
-    else
-    {
-      a = c;
-      c = d;
-      atC = atD;
-      d = a + Golden * (b - a);
-      atD = side * slopeAt(d);
-    }
-  }
-  return atC > atD ? Extreme{ c, side * atC } : Extreme{ d, side * atD };
-}
-
-/// Whether F may be above 0 between two samples where it is not: it would have to rise and fall there.
-bool HeightFieldSweep::swells(int j) const
-{
-  const SampleBlock& block = this->Blocks.back();
-  const double rise = block.spacing * block.slope[j];
-  const double fall = -block.spacing * block.slope[j + 1];
-  return rise > 0 && fall > 0 && block.f[j] + rise > 0 && block.f[j + 1] + fall > 0;
-}
-
-/// Rays that touch a crest between two samples, being above the cloud at both.
-void HeightFieldSweep::touchTop(
-  int j, const Inside& before, const Inside& after, Listener& listener)
-{
-  const SampleBounds& bounds = this->Bounds;
-  if (!(bounds.topRise[j] > 0 && bounds.topRise[j + 1] < 0))
-  {
-    return;
-  }
-  const std::vector<double>& slopes = *this->Slopes;
-  const bool wasCloud = before.isCloud;
-  const bool isCloud = after.isCloud;
-  std::uint32_t first = std::max(wasCloud ? before.last : 0, isCloud ? after.last : 0);
-  const double spacing = this->Blocks.back().spacing;
-  const double highest = wasCloud && isCloud
-    ? std::min(bounds.top[j] + spacing * bounds.topRise[j],
-        bounds.top[j + 1] - spacing * bounds.topRise[j + 1])
-    : Infinity;
-  if (first == slopes.size() || !(slopes[first] < highest))
-  {
-    return;
-  }
-  const Extreme top = this->extreme(j, 1);
-  if (!wasCloud && !isCloud)
-  {
-    first = below(slopes, before.plane, this->extreme(j, -1).slope);
-  }
-  const std::uint32_t last = below(slopes, first, top.slope);
-  for (std::uint32_t ray = first; ray < last; ++ray)
-  {
-    this->pass(ray, j, top.x, listener);
-  }
-}
-
-/// Rays that touch a bulge of the bottom between two samples, being below the cloud at both.
-void HeightFieldSweep::touchBottom(
-  int j, const Inside& before, const Inside& after, Listener& listener)
-{
-  const SampleBounds& bounds = this->Bounds;
-  if (!(bounds.bottomRise[j] < 0 && bounds.bottomRise[j + 1] > 0) ||
-    (!before.isCloud && !after.isCloud))
-  {
-    return;
-  }
-  const std::vector<double>& slopes = *this->Slopes;
-  const auto count = static_cast<std::uint32_t>(slopes.size());
-  const std::uint32_t last =
-    std::min(before.isCloud ? before.first : count, after.isCloud ? after.first : count);
-  const double spacing = this->Blocks.back().spacing;
-  const double lowest = before.isCloud && after.isCloud
-    ? std::max(bounds.bottom[j] + spacing * bounds.bottomRise[j],
-        bounds.bottom[j + 1] - spacing * bounds.bottomRise[j + 1])
-    : -Infinity;
-  if (last == 0 || !(slopes[last - 1] > lowest))
-  {
-    return;
-  }
-  const Extreme bottom = this->extreme(j, -1);
-  for (std::uint32_t ray = below(slopes, last, bottom.slope); ray < last; ++ray)
-  {
-    this->pass(ray, j, bottom.x, listener);
-  }
-}
-
-/// A ray that is outside at both samples but crosses the cloud plane between them: through a cloud, if one is there.
-void HeightFieldSweep::pierce(std::uint32_t ray, int j, Listener& listener)
-{
-  const SampleBlock& block = this->Blocks.back();
-  const double x = (-this->Eye / (*this->Slopes)[ray] - block.at(j)) / block.spacing;
-  if (x > 0 && x < 1 && block.between(j, x) > 0)
-  {
-    this->pass(ray, j, x, listener);
-  }
 }
 
 void HeightFieldSweep::step(int j, const Inside& before, const Inside& after, Listener& listener)
@@ -312,8 +172,6 @@ void HeightFieldSweep::step(int j, const Inside& before, const Inside& after, Li
       this->enter(ray, j);
     }
   }
-  this->touchTop(j, before, after, listener);
-  this->touchBottom(j, before, after, listener);
   for (std::uint32_t ray = std::min(before.plane, after.plane);
        ray < std::max(before.plane, after.plane); ++ray)
   {
@@ -339,7 +197,7 @@ void HeightFieldSweep::scan(Listener& listener)
   }
   for (int j = 0; j < Steps; ++j)
   {
-    if (!(block.f[j] > 0) && !(block.f[j + 1] > 0) && !this->swells(j))
+    if (!(block.f[j] > 0) && !(block.f[j + 1] > 0))
     {
       this->IsLastKnown = false;
       continue;

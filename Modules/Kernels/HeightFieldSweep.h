@@ -9,8 +9,7 @@
  *  2. the rays, sorted by slope, that are inside at a sample are those between bottom and top: one range of indices. What leaves or
  *     joins the range between two samples is the rays that leave or enter the cloud there, so that the work is that of the samples
  *     plus that of the crossings (Max 1986 section 4 scans polygons for them);
- *  3. rays that are inside at neither of two samples can be between them: those that touch a crest of the top or a bulge of the bottom, or a
- *     cloud that is smaller than the samples' distance, as the slopes' derivatives tell; and those that meet the cloud plane in a cloud;
+ *  3. a ray that is inside at neither of two samples but meets the cloud plane in a cloud between them passes through that;
  *  4. a crossing is the root of HeightField::inside on the cubic through F and dF/dr of the two samples, whose error is that of
  *     Hermite interpolation, (2 pi / samplesPerWave)^4 / 384 of a wave's amplitude.
  */
@@ -26,15 +25,12 @@
 
 namespace nephoscope
 {
-/// The slopes under which the eye sees the cloud's top, its bottom and the cloud plane at the samples of a block, and their d/dr; where there is
-/// no cloud these have the signs of dF/dr and its opposite.
+/// The slopes under which the eye sees the cloud's top, its bottom and the cloud plane at the samples of a block.
 struct SampleBounds
 {
   double top[SampleBlock::Steps + 1];
   double bottom[SampleBlock::Steps + 1];
   double plane[SampleBlock::Steps + 1];
-  double topRise[SampleBlock::Steps + 1];
-  double bottomRise[SampleBlock::Steps + 1];
 };
 
 /// A place on a slice: between samples `step` and step + 1 of a block.
@@ -74,28 +70,16 @@ private:
     std::uint32_t first;
     std::uint32_t last;
     std::uint32_t plane;
-    bool isCloud;
     bool holds(std::uint32_t ray) const { return ray >= this->first && ray < this->last; }
   };
 
   void scan(Listener& listener);
   void step(int j, const Inside& before, const Inside& after, Listener& listener);
-  /// A place between two samples, 0 to 1, and the slope under which the eye sees it.
-  struct Extreme
-  {
-    double x;
-    double slope;
-  };
 
   Inside insideAt(int j);
   void enter(std::uint32_t ray, int j);
   void leave(std::uint32_t ray, int j, Listener& listener);
-  void pass(std::uint32_t ray, int j, double x, Listener& listener);
   void pierce(std::uint32_t ray, int j, Listener& listener);
-  void touchTop(int j, const Inside& before, const Inside& after, Listener& listener);
-  void touchBottom(int j, const Inside& before, const Inside& after, Listener& listener);
-  Extreme extreme(int j, int side) const;
-  bool swells(int j) const;
   void closeAll(Listener& listener);
   bool isAhead(double r, double far);
   double crossing(std::uint32_t ray, int j, double from, double to) const;

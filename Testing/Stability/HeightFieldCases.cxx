@@ -110,29 +110,6 @@ const StabilityRegistration tangents({ "height field",
       worst("Moments", crest, {}, slice, -0.004, 0.004), 0.01);
   } });
 
-const StabilityRegistration between(
-  { "height field", "rays that touch a crest between two samples, a quarter of a wave apart",
-    "T as by quadrature within 0.1",
-    []
-    {
-      HeightFieldShape ridges = slabShape(-10);
-      ridges.waves = { { 60, 0, 0.002, 0 } };
-      const double height = HeightField(ridges).top(50) - 2;
-      ScatteringSettings coarse;
-      coarse.samplesPerWave = 4;
-      double naive = 0;
-      double ours = 0;
-      for (int n = 0; n < 12; ++n)
-      {
-        const CloudSlice slice{ 0, -115 - 50.0 * n, 300 + height, 0, 1, 2500 };
-        const auto through = [&](const char* method)
-        { return lightOf(method, ridges, 300, {}, slice, 1e-4, coarse).transmittance; };
-        ours = std::max(ours, std::abs(through("Moments") - through("Exact")));
-        naive = std::max(naive, 1 - through("Exact")); // outside at both samples
-      }
-      return outcome("error of T", naive, ours, 0.1);
-    } });
-
 const StabilityRegistration touching({ "height field",
   "F touching 0, and above it by 1e-13 to 1e-3", "g to 1e-12 of itself; without cloud where F <= 0",
   []

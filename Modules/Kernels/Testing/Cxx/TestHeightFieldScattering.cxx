@@ -389,37 +389,6 @@ TEST(HeightFieldScattering, TellsThePapersConditions)
   }
 }
 
-// A ray that is in a cloud between two samples only, through a crest, a bulge or a cloud that is smaller than their distance, is seen.
-TEST(HeightFieldScattering, ChordsBetweenSamplesAreSeen)
-{
-  ScatteringSettings coarse;
-  coarse.samplesPerWave = 4;
-  const double k = 0.002;
-  for (const double mean :
-    { -10.0, -55.0 }) // ridges; lenses 270 m long, whose samples are 785 m apart
-  {
-    HeightFieldShape ridges = slabShape(mean);
-    ridges.waves = { { 60, 0, k, 0 } };
-    const HeightField field(ridges);
-    const double crest = 3.141592653589793 / (2 * k);
-    int seen = 0;
-    for (int n = 0; n < 12; ++n)
-    {
-      // The sampling's phase varies with the eye's place.
-      for (const double height : { field.top(mean + 60) - 2, 3.0, field.bottom(mean + 60) + 2 })
-      {
-        const CloudSlice slice{ 0, crest - 900 - 50 * n, 300 + height, 0, 1, 2500 };
-        const double truth = lightOf("Exact", ridges, 300, Paper, slice, 1e-4).transmittance;
-        const double ours =
-          lightOf("Moments", ridges, 300, Paper, slice, 1e-4, coarse).transmittance;
-        EXPECT_NEAR(ours, truth, 0.1) << mean << ' ' << n << ' ' << height;
-        seen += truth < 0.9 && ours < 0.9 ? 1 : 0;
-      }
-    }
-    EXPECT_GT(seen, 10);
-  }
-}
-
 // In pixels all methods see the same faded waves: Moments is Exact's within 0.3 % in the middle and 3 % almost everywhere, where samples are
 // up to 1.4 pixels apart.
 TEST(HeightFieldScattering, MethodsFadeWavesAlike)
