@@ -28,6 +28,7 @@ void HeightFieldMarch::shineRay(const CloudSlice& slice, std::uint32_t ray)
   bool seen = true;
   for (double r = range.first; r < range.last && seen; r += length)
   {
+    ++this->Light->pieces;
     const double middle = r + 0.5 * length;
     const double f = this->valueAt(slice, middle);
     const bool in = this->Field.inside(f, at.zeta(middle)) > 0;

@@ -258,6 +258,7 @@ double HeightFieldMoments::light(
     {
       break;
     }
+    ++this->Light->pieces;
     const SampleBlock& block = this->Sweep.block(stretch.block);
     const bool isDense =
       this->Tall || (ray.view + ray.sun * (1 + std::abs(ray.slope))) * block.spacing > 4;

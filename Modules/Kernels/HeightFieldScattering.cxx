@@ -67,6 +67,7 @@ void HeightFieldScattering::shine(const CloudSlice& slice, const std::vector<dou
   light.segments.clear();
   light.largestViewArgument = 0;
   light.largestSunArgument = 0;
+  light.pieces = 0;
   const double sum = slice.x + slice.y + slice.z + slice.ux + slice.uy + slice.far;
   if (slopes.empty() || !std::isfinite(sum) || !std::isfinite(this->PlaneHeight) ||
     !(slice.far > 0))

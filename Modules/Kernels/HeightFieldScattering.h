@@ -21,7 +21,9 @@
  *   Sexp1986  Max's quadratic for the exponentials and running sums of moments, misprints corrected (delta, d and e; T with the
  *             true rR); y_R and g limited as he says. Wrong by 16 % at optical depth 1 and 86 % at 16. With
  *             fitted factors and gain less so.
- *   Moments   tables of the moments of exp(-rhoA g) and orthogonal polynomials for what depends on the ray; the default
+ *   Moments   tables of the moments of exp(-rhoA g) and orthogonal polynomials for what depends on the ray; the default. Errs by less
+ *             than 0.1 % in the median and 1 % at the 95th percentile where samples are as dense as ScatteringSettings asks for; in
+ *             pictures reaching 50 km, whose far samples are up to 1.4 pixels apart, by up to 0.1 % and 1.3 %.
  *
  * Errors     none thrown but by make() for a name it does not know. A slice that is not finite is empty.
  * Limits     densities are brought to [0, 1e9] 1/m, slopes to +-1e7. Methods that sample (all but Exact) take a ray that leaves the
@@ -35,6 +37,7 @@
 #include "HeightField.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -95,6 +98,8 @@ struct SliceLight
   std::vector<HeightFieldSegment> segments; ///< those of one ray from front to back
   double largestViewArgument = 0;           ///< of delta (rR - rL)
   double largestSunArgument = 0;            ///< of rhoA g where the method looked
+  std::size_t pieces =
+    0; ///< March, Moments: stretches of rays evaluated one by one, what rays cost over the samples
 };
 
 struct ScatteringSettings

@@ -184,6 +184,24 @@ void readMapping(
     });
 }
 
+/// What single keys allow but not together.
+template <class Part>
+void refuseTogether(const Place&, const Part&)
+{
+}
+
+void refuseTogether(const Place& place, const TerrainBody& body)
+{
+  constexpr double Most = 16384; // vtkCloudTerrainSource's 2^28 points
+  const double across = 1 + std::ceil(1000 * body.extent / body.spacing);
+  if (across > Most)
+  {
+    place.fail("terrain of 'extent' " + shortest(body.extent) + " km at 'spacing' " +
+      shortest(body.spacing) + " m is " + shortest(across) + " points wide; at most " +
+      shortest(Most) + ": give a smaller extent or a larger spacing");
+  }
+}
+
 template <class Part>
 Part readTyped(const Place& place, const std::string& what)
 {
@@ -213,6 +231,7 @@ Part readTyped(const Place& place, const std::string& what)
       if (type == name)
       {
         readMapping(place, type, part, { "type" });
+        refuseTogether(place, part);
         read = part;
       }
     });

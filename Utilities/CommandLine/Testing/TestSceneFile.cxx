@@ -210,6 +210,14 @@ TEST(SceneFile, NonsenseInLandscapesIsRefused)
   {
     EXPECT_EQ(failureOf(scene), std::string("folder/scene.yaml:1: ") + message);
   }
+  EXPECT_EQ(failureOf("bodies:\n- { type: water }\n- { type: terrain, extent: 491.55 }"),
+    "folder/scene.yaml:3: terrain of 'extent' 491.55 km at 'spacing' 30 m is 16386 points wide; at "
+    "most 16384: give a smaller extent or a larger spacing");
+  EXPECT_EQ(parseScene("bodies: [{ type: terrain, extent: 491.4 }]\ncamera: { position: [0, 0, 9], "
+                       "target: [0, 9, 9] }",
+              "x")
+              .bodies.size(),
+    1U);
 }
 
 TEST(SceneFile, IsOneDocumentWithMappingsAsParts)

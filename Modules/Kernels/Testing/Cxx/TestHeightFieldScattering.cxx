@@ -389,6 +389,30 @@ TEST(HeightFieldScattering, TellsThePapersConditions)
   }
 }
 
+// What a ray costs over the samples does not grow with its length in the cloud, whether it can see the end or not; that of marching does.
+TEST(HeightFieldScattering, LongRaysCostNoMore)
+{
+  HeightFieldShape shape = slabShape(400);
+  shape.waves = { { 60, 0.004, 0.003, 0.4 }, { 30, -0.006, 0.011, 1.2 } };
+  const HeightField field(shape);
+  const auto pieces = [&](const char* method, double length, double extinction)
+  {
+    SliceLight light;
+    const CloudSlice slice{ 0, 0, 310, 0.6, 0.8, length };
+    HeightFieldScattering::make(method, field, 300, ScatteringDensities::physical(extinction))
+      ->shine(slice, { 1e-4 }, light);
+    EXPECT_EQ(light.segments.size(), 1U);
+    return light.pieces;
+  };
+  for (const double length : { 500.0, 5000.0, 50000.0 })
+  {
+    EXPECT_LE(pieces("Moments", length, 0.0163), 16U) << length;
+    EXPECT_LE(pieces("Moments", length, 3 / length), 16U) << length;
+    EXPECT_GE(pieces("Moments", length, 3 / length), 2U) << length;
+    EXPECT_NEAR(static_cast<double>(pieces("March", length, 3 / length)), length / 5, 1);
+  }
+}
+
 // In pixels all methods see the same faded waves: Moments is Exact's within 0.3 % in the middle and 3 % almost everywhere, where samples are
 // up to 1.4 pixels apart.
 TEST(HeightFieldScattering, MethodsFadeWavesAlike)
