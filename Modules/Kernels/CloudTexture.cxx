@@ -103,11 +103,21 @@ void CloudTexture::setFrames()
 
 CloudTexture::Sums CloudTexture::sums(const double x[3], const Terms& weights) const
 {
-  // Each loop over the terms is one that the compiler turns into vector instructions.
+  // Terms finer than the footprint weigh nothing; they are left out by half a row of them.
+  constexpr int Half = N / 2;
+  const bool fine =
+    std::any_of(weights.begin() + Half, weights.end(), [](double weight) { return weight != 0; });
+  return fine ? this->sumsOf<N>(x, weights) : this->sumsOf<Half>(x, weights);
+}
+
+/// The sums of the first terms. Each loop over the terms is one that the compiler turns into vector instructions.
+template <int Count>
+CloudTexture::Sums CloudTexture::sumsOf(const double x[3], const Terms& weights) const
+{
   Terms u;
   Terms v;
   Terms w;
-  for (int i = 0; i < N; ++i)
+  for (int i = 0; i < Count; ++i)
   {
     const auto& a = this->Axes;
     u[i] = a[0][0][i] * x[0] + a[0][1][i] * x[1] + a[0][2][i] * x[2] + this->Shifts[0][i];
@@ -116,7 +126,7 @@ CloudTexture::Sums CloudTexture::sums(const double x[3], const Terms& weights) c
   }
   Terms first;
   Terms second;
-  for (int i = 0; i < N; ++i)
+  for (int i = 0; i < Count; ++i)
   {
     const double common = Pi * sine(w[i] / 2);
     first[i] = weights[i] * sine(u[i] + Pi / 2 * sine(v[i] / 2) + common);
@@ -124,7 +134,7 @@ CloudTexture::Sums CloudTexture::sums(const double x[3], const Terms& weights) c
   }
   double sumX = this->Constant;
   double sumY = this->Constant;
-  for (int i = 0; i < N; ++i)
+  for (int i = 0; i < Count; ++i)
   {
     sumX += first[i];
     sumY += second[i];
@@ -193,6 +203,13 @@ CloudTexture::Terms CloudTexture::weightsFor(double footprint) const
     weights[i] *= smoothStep(samplesPerWave / 4 - 1);
   }
   return weights;
+}
+
+int CloudTexture::termsAt(double footprint) const
+{
+  const Terms weights = this->weightsFor(footprint);
+  return static_cast<int>(
+    std::count_if(weights.begin(), weights.end(), [](double weight) { return weight != 0; }));
 }
 
 double CloudTexture::value(const double x[3], double footprint) const

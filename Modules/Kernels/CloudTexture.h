@@ -92,6 +92,9 @@ public:
    */
   double opacity(const double x[3], double footprint = 0, double rim = 1) const;
 
+  /// How many terms are not gone where a sample is this wide, which is how many value() may have to work out.
+  int termsAt(double footprint) const;
+
   /// Opacity where T is known.
   double opacityOf(double value, double rim = 1) const;
 
@@ -112,6 +115,8 @@ private:
   bool isNear(const double x[3]) const;
   Terms weightsFor(double footprint) const;
   Sums sums(const double x[3], const Terms& weights) const;
+  template <int Count>
+  Sums sumsOf(const double x[3], const Terms& weights) const;
   double unscaled(const double x[3], const Terms& weights) const;
   double searchMaximum() const;
 

@@ -77,7 +77,7 @@ bool hasVerticalColumns(const Camera& camera)
 }
 }
 
-SliceFan::SliceFan(const Camera& camera)
+SliceFan::SliceFan(const Camera& camera, bool own)
   : Width(camera.width())
   , Height(camera.height())
 {
@@ -85,7 +85,7 @@ SliceFan::SliceFan(const Camera& camera)
   {
     this->perColumn(camera);
   }
-  else if (camera.isParallel())
+  else if (own || camera.isParallel())
   {
     this->perPixel(camera);
   }
@@ -117,21 +117,20 @@ void SliceFan::perColumn(const Camera& camera)
 
 void SliceFan::perPixel(const Camera& camera)
 {
-  const Vector3& ahead = camera.forward();
-  const double across = std::hypot(ahead[0], ahead[1]);
-  const double ux = across > 0 ? ahead[0] / across : 1;
-  const double uy = across > 0 ? ahead[1] / across : 0;
   for (int y = 0; y < this->Height; ++y)
   {
     for (int x = 0; x < this->Width; ++x)
     {
+      const Ray ray = camera.ray(x + 0.5, y + 0.5);
+      const double across = std::hypot(ray.direction[0], ray.direction[1]);
       this->Slots.push_back(static_cast<std::uint32_t>(this->Slots.size()));
-      this->Slices.push_back({ camera.ray(x + 0.5, y + 0.5).origin, ux, uy, this->Slices.size() });
+      this->Slices.push_back({ ray.origin, across > 0 ? ray.direction[0] / across : 1,
+        across > 0 ? ray.direction[1] / across : 0, this->Slices.size() });
+      this->Slopes.push_back(slopeOf(ray.direction));
     }
   }
   this->SliceOf = this->Slots;
-  this->Slopes.assign(this->Slots.size(), slopeOf(ahead));
-  this->Slices.push_back({ camera.eye(), ux, uy, this->Slots.size() });
+  this->Slices.push_back({ camera.eye(), 1, 0, this->Slots.size() });
 }
 
 void SliceFan::byAzimuth(const Camera& camera)

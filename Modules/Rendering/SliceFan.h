@@ -28,7 +28,8 @@ struct PixelSlice
 class SliceFan
 {
 public:
-  explicit SliceFan(const Camera& camera);
+  /// @param own a slice for each pixel where columns are not vertical: exact, and as dear as rays one by one
+  explicit SliceFan(const Camera& camera, bool own = false);
 
   std::size_t numberOfSlices() const { return this->Slices.size() - 1; }
   const PixelSlice& slice(std::size_t s) const { return this->Slices[s]; }

@@ -17,6 +17,27 @@ void vtkCloudBody::SetInputData(vtkDataObject* data)
   this->SetInputDataObject(0, data);
 }
 
+void vtkCloudBody::SetInputUse(int port, bool use)
+{
+  const unsigned bit = 1U << static_cast<unsigned>(port);
+  const unsigned unused = use ? this->UnusedInputs & ~bit : this->UnusedInputs | bit;
+  if (unused != this->UnusedInputs)
+  {
+    this->UnusedInputs = unused;
+    this->Modified();
+  }
+}
+
+bool vtkCloudBody::GetInputUse(int port) const
+{
+  return (this->UnusedInputs >> static_cast<unsigned>(port) & 1U) == 0;
+}
+
+vtkDataObject* vtkCloudBody::GetUsedInput(int port)
+{
+  return this->GetInputUse(port) ? this->GetInputDataObject(port, 0) : nullptr;
+}
+
 vtkMTimeType vtkCloudBody::GetInputsMTime()
 {
   vtkMTimeType newest = this->GetMTime();

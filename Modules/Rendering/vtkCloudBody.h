@@ -32,6 +32,17 @@ public:
   /// The data of port 0 as given, or of a pipeline by SetInputConnection.
   void SetInputData(vtkDataObject* data);
   ///@}
+  ///@{
+  /// Whether a vtkCloudscape draws it. Default on.
+  vtkSetMacro(Visibility, bool);
+  vtkGetMacro(Visibility, bool);
+  vtkBooleanMacro(Visibility, bool);
+  ///@}
+  ///@{
+  /// Whether an optional input counts; one that does not is not brought up to date either. Default: all do.
+  void SetInputUse(int port, bool use);
+  bool GetInputUse(int port) const;
+  ///@}
 
 #ifndef __VTK_WRAP__
   /// Get ready for a camera. The inputs are up to date. Returns false, after vtkErrorMacro, if it cannot be drawn.
@@ -72,6 +83,12 @@ protected:
   /// if it is not.
   bool IsFlat(const nephoscope::Camera& camera);
 #endif
+
+  /// The data of an optional input, if it counts.
+  vtkDataObject* GetUsedInput(int port);
+
+  bool Visibility = true;
+  unsigned UnusedInputs = 0; ///< a bit for each port
 
 private:
   vtkCloudBody(const vtkCloudBody&) = delete;

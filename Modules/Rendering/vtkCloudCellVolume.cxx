@@ -49,6 +49,7 @@ struct vtkCloudCellVolume::ExtinctionAtPoint
   nephoscope::Particles Crystals;
   double FullCover = 0;
   double Scale = 1;
+  float Least = 0;
 
   double AirDensity(vtkIdType point) const
   {
@@ -78,7 +79,8 @@ struct vtkCloudCellVolume::ExtinctionAtPoint
                             : 0;
       }
     }
-    return nephoscope::usableExtinction(this->Scale * sigma);
+    const float usable = nephoscope::usableExtinction(this->Scale * sigma);
+    return usable < this->Least ? 0 : usable; // NaN stays
   }
 };
 
@@ -144,6 +146,7 @@ bool vtkCloudCellVolume::SetUpExtinction(vtkDataSet* grid, ExtinctionAtPoint& ex
   extinction.Droplets = { this->ExtinctionEfficiency, this->LiquidRadius, LiquidWaterDensity };
   extinction.Crystals = { this->ExtinctionEfficiency, this->IceRadius, IceDensity };
   extinction.Scale = this->ExtinctionScale;
+  extinction.Least = static_cast<float>(this->LeastExtinction);
   if (vtkDataArray* const heightScale = grid->GetFieldData()->GetArray(arrays::HeightScale))
   {
     const double scale = heightScale->GetNumberOfValues() > 0 ? heightScale->GetComponent(0, 0) : 0;
@@ -177,6 +180,31 @@ bool vtkCloudCellVolume::SetUpExtinction(vtkDataSet* grid, ExtinctionAtPoint& ex
     }
   }
   return true;
+}
+
+std::vector<vtkIdType> vtkCloudCellVolume::CountPoints(const std::vector<double>& least)
+{
+  if (this->GetNumberOfInputConnections(0) > 0)
+  {
+    this->GetInputAlgorithm(0, 0)->Update();
+  }
+  auto* const grid = vtkDataSet::SafeDownCast(this->GetInputDataObject(0, 0));
+  ExtinctionAtPoint extinction;
+  if (!grid || !this->SetUpExtinction(grid, extinction))
+  {
+    return {};
+  }
+  extinction.Least = 0;
+  std::vector<vtkIdType> counts(least.size(), 0);
+  for (vtkIdType point = 0; point < grid->GetNumberOfPoints(); ++point)
+  {
+    const float sigma = extinction(point);
+    for (std::size_t i = 0; i < least.size() && sigma > 0 && sigma >= least[i]; ++i)
+    {
+      ++counts[i];
+    }
+  }
+  return counts;
 }
 
 bool vtkCloudCellVolume::ReadGrid()
@@ -372,6 +400,7 @@ void vtkCloudCellVolume::PrintSelf(ostream& os, vtkIndent indent)
      << '\n';
   os << indent << "FullCoverExtinction: " << this->FullCoverExtinction << " 1/m\n";
   os << indent << "ExtinctionScale: " << this->ExtinctionScale << '\n';
+  os << indent << "LeastExtinction: " << this->LeastExtinction << '\n';
   os << indent << "ExtinctionEfficiency: " << this->ExtinctionEfficiency << '\n';
   os << indent << "LiquidRadius: " << this->LiquidRadius << " m\n";
   os << indent << "IceRadius: " << this->IceRadius << " m\n";

@@ -61,6 +61,7 @@
 #include "vtkCloudRenderingModule.h" // for export macro
 
 #include <memory> // for the internals
+#include <vector> // for CountPoints
 
 class vtkDataArray;
 class vtkDataSet;
@@ -98,6 +99,13 @@ public:
   /// Multiplies the extinction of either rule. Default 1.
   vtkSetClampMacro(ExtinctionScale, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(ExtinctionScale, double);
+  ///@}
+
+  ///@{
+  /// Points with less extinction than this, per scene unit, count as clear, and cells of such points are not drawn. No ray of length
+  /// s changes by more than an optical depth of s times this. Default 0: all is drawn.
+  vtkSetClampMacro(LeastExtinction, double, 0, VTK_DOUBLE_MAX);
+  vtkGetMacro(LeastExtinction, double);
   ///@}
 
   ///@{
@@ -147,6 +155,10 @@ public:
   vtkIdType GetNumberOfCycles() const;
 
 #ifndef __VTK_WRAP__
+  /// How many of the input's points have an extinction of at least each of `least`, per scene unit, which ascend: no more than are above 0.
+  /// Empty if the input cannot be drawn. Brings the input up to date.
+  std::vector<vtkIdType> CountPoints(const std::vector<double>& least);
+
   bool Prepare(const nephoscope::Camera& camera) override;
   void Emit(const nephoscope::Camera& camera, nephoscope::DeepTile& tile) const override;
 #endif
@@ -179,6 +191,7 @@ private:
   int ExtinctionRule = CloudFraction;
   double FullCoverExtinction = 2e-4;
   double ExtinctionScale = 1;
+  double LeastExtinction = 0;
   double ExtinctionEfficiency = 2;
   double LiquidRadius = 10e-6;
   double IceRadius = 30e-6;

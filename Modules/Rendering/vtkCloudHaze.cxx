@@ -82,7 +82,7 @@ bool vtkCloudHaze::Prepare(const nephoscope::Camera& camera)
     return false;
   }
   Air& air = *this->Ready;
-  const std::string wrong = readShadow(this->GetInputDataObject(0, 0), air.Clouds);
+  const std::string wrong = readShadow(this->GetUsedInput(0), air.Clouds);
   if (!wrong.empty())
   {
     vtkErrorMacro(<< wrong);

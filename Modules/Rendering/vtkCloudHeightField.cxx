@@ -216,9 +216,10 @@ bool vtkCloudHeightField::Prepare(const nephoscope::Camera& camera)
     return false;
   }
   Drawn& drawn = *this->Ready;
-  drawn.Fan = std::make_unique<nephoscope::SliceFan>(camera);
+  drawn.Fan = std::make_unique<nephoscope::SliceFan>(camera, this->SlicePerPixel);
   drawn.FarDistance = this->FarDistance;
-  drawn.Growth = camera.isParallel() ? 0 : camera.pixel();
+  // Half a pixel with the default of samples.
+  drawn.Growth = camera.isParallel() ? 0 : camera.pixel() * 12 / this->SamplesPerWave;
   drawn.Segments.assign(drawn.Fan->numberOfSlices(), {});
   drawn.Starts.assign(drawn.Fan->numberOfSlots() + drawn.Fan->numberOfSlices(), 0);
   const nephoscope::ScatteringDensities densities{ this->SunExtinction, this->ViewExtinction,
@@ -228,6 +229,7 @@ bool vtkCloudHeightField::Prepare(const nephoscope::Camera& camera)
   settings.sunFactor = this->SunFactor;
   settings.viewFactor = this->ViewFactor;
   settings.gain = this->Gain;
+  settings.samplesPerWave = this->SamplesPerWave;
   drawn.Parts = nephoscope::HeightFieldScattering::make(
     "Moments", nephoscope::HeightField(drawn.Shape), drawn.PlaneHeight, densities, settings);
   SliceWorker worker(drawn, this->Method, densities, settings);
@@ -309,6 +311,8 @@ void vtkCloudHeightField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SunFactor: " << this->SunFactor << '\n';
   os << indent << "ViewFactor: " << this->ViewFactor << '\n';
   os << indent << "Gain: " << this->Gain << '\n';
+  os << indent << "SlicePerPixel: " << this->SlicePerPixel << '\n';
+  os << indent << "SamplesPerWave: " << this->SamplesPerWave << '\n';
   os << indent << "LargestViewArgument: " << this->LargestViewArgument << '\n';
   os << indent << "LargestSunArgument: " << this->LargestSunArgument << '\n';
 }

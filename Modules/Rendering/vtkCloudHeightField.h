@@ -68,6 +68,20 @@ public:
   vtkSetMacro(Step, double);
   vtkGetMacro(Step, double);
   ///@}
+  ///@{
+  /// Samples of the shortest wave for Moments and Sexp1986, 2 to 1000; as many of two pixels' width
+  /// where that is more than a wave. Default 12.
+  vtkSetClampMacro(SamplesPerWave, double, 2, 1000);
+  vtkGetMacro(SamplesPerWave, double);
+  ///@}
+
+  ///@{
+  /// Whether each pixel has a slice of its own where columns of pixels are not vertical planes: no pixel is displaced, but Moments is as
+  /// dear as March. Default off.
+  vtkSetMacro(SlicePerPixel, bool);
+  vtkGetMacro(SlicePerPixel, bool);
+  vtkBooleanMacro(SlicePerPixel, bool);
+  ///@}
 
   ///@{
   /// Constants of Sexp1986, fitted to the exact light (Data/Calibration/heightfield.json, fits "printed ..."): factors on the
@@ -108,6 +122,8 @@ protected:
   double SunFactor = 1;
   double ViewFactor = 1;
   double Gain = 1;
+  double SamplesPerWave = 12;
+  bool SlicePerPixel = false;
   double LargestViewArgument = 0;
   double LargestSunArgument = 0;
 

@@ -139,7 +139,7 @@ bool vtkCloudTerrain::Prepare(const nephoscope::Camera&)
     double z = 0;
     std::string wrong = readGrid(
       this->GetInputDataObject(0, 0), nephoscope::arrays::Height, heights, z, this->HeightScale);
-    wrong += readShadow(this->GetInputDataObject(1, 0), land.Clouds);
+    wrong += readShadow(this->GetUsedInput(1), land.Clouds);
     if (!wrong.empty())
     {
       vtkErrorMacro(<< wrong);

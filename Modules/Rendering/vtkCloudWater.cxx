@@ -207,7 +207,7 @@ bool vtkCloudWater::Prepare(const nephoscope::Camera&)
   Sea& sea = *this->Ready;
   if (sea.Read < this->GetInputsMTime())
   {
-    std::string wrong = readShadow(this->GetInputDataObject(0, 0), sea.Clouds);
+    std::string wrong = readShadow(this->GetUsedInput(0), sea.Clouds);
     sea.Hills = {};
     if (vtkDataObject* const heights = this->GetInputDataObject(1, 0))
     {

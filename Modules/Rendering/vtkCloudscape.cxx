@@ -19,6 +19,7 @@
 #include "vtkTimerLog.h"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 vtkStandardNewMacro(vtkCloudscape);
@@ -30,20 +31,6 @@ constexpr int MaximumSize = 32768;
 nephoscope::Vector3 vector(const double v[3])
 {
   return { v[0], v[1], v[2] };
-}
-
-nephoscope::Camera cameraOf(vtkCamera* camera, double cylinderAngle, const int size[2])
-{
-  const nephoscope::Vector3 eye = vector(camera->GetPosition());
-  const nephoscope::Vector3 target = vector(camera->GetFocalPoint());
-  const nephoscope::Vector3 up = vector(camera->GetViewUp());
-  if (cylinderAngle > 0)
-  {
-    return nephoscope::Camera::cylindrical(eye, target, up, cylinderAngle, size[0], size[1]);
-  }
-  return camera->GetParallelProjection()
-    ? nephoscope::Camera::parallel(eye, target, up, camera->GetParallelScale(), size[0], size[1])
-    : nephoscope::Camera::perspective(eye, target, up, camera->GetViewAngle(), size[0], size[1]);
 }
 
 }
@@ -122,6 +109,22 @@ vtkCloudBody* vtkCloudscape::GetBody(int index) const
   return index >= 0 && index < this->GetNumberOfBodies() ? this->Bodies[index].Get() : nullptr;
 }
 
+nephoscope::Camera vtkCloudscape::GetRays() const
+{
+  const nephoscope::Vector3 eye = vector(this->Camera->GetPosition());
+  const nephoscope::Vector3 target = vector(this->Camera->GetFocalPoint());
+  const nephoscope::Vector3 up = vector(this->Camera->GetViewUp());
+  const int across = this->Samples * this->Size[0];
+  const int along = this->Samples * this->Size[1];
+  if (this->CylinderAngle > 0)
+  {
+    return nephoscope::Camera::cylindrical(eye, target, up, this->CylinderAngle, across, along);
+  }
+  return this->Camera->GetParallelProjection()
+    ? nephoscope::Camera::parallel(eye, target, up, this->Camera->GetParallelScale(), across, along)
+    : nephoscope::Camera::perspective(eye, target, up, this->Camera->GetViewAngle(), across, along);
+}
+
 vtkMTimeType vtkCloudscape::GetMTime()
 {
   vtkMTimeType newest = this->Superclass::GetMTime();
@@ -191,9 +194,10 @@ void vtkCloudscape::UpdateInputs(vtkCloudBody* body)
   const bool pieces = this->IsOfSeveralRanks() && body->DrawsPieces();
   const int piece = pieces ? this->Controller->GetLocalProcessId() : 0;
   const int all = pieces ? this->Controller->GetNumberOfProcesses() : 1;
-  for (int port = 0; port < body->GetNumberOfInputPorts(); ++port)
+  for (int port = 0; body->GetVisibility() && port < body->GetNumberOfInputPorts(); ++port)
   {
-    for (int connection = 0; connection < body->GetNumberOfInputConnections(port); ++connection)
+    const int used = body->GetInputUse(port) ? body->GetNumberOfInputConnections(port) : 0;
+    for (int connection = 0; connection < used; ++connection)
     {
       vtkAlgorithm* const source = body->GetInputAlgorithm(port, connection);
       if (this->IsOfSeveralRanks())
@@ -243,10 +247,10 @@ int vtkCloudscape::RequestData(
   this->UpdateBodies();
   const double updated = vtkTimerLog::GetUniversalTime();
 
-  const int rays[2] = { this->Samples * this->Size[0], this->Samples * this->Size[1] };
-  TileScene scene{ cameraOf(this->Camera, this->CylinderAngle, rays),
-    { this->Bodies.begin(), this->Bodies.end() }, this->Backdrop, this->Size[0], this->Size[1],
+  TileScene scene{ this->GetRays(), {}, this->Backdrop, this->Size[0], this->Size[1],
     this->TileSize, this->Samples, this->ComputeDepth };
+  std::copy_if(this->Bodies.begin(), this->Bodies.end(), std::back_inserter(scene.Bodies),
+    [](vtkCloudBody* body) { return body->GetVisibility(); });
   std::stable_partition(scene.Bodies.begin(), scene.Bodies.end(),
     [](const vtkCloudBody* body) { return body->IsOpaque(); });
   const bool sums = sumsMayBeSent(scene);

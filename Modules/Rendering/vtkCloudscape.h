@@ -47,6 +47,13 @@ class vtkImageData;
 class vtkMultiProcessController;
 struct TileScene;
 
+#ifndef __VTK_WRAP__
+namespace nephoscope
+{
+class Camera;
+}
+#endif
+
 class VTKCLOUDRENDERING_EXPORT vtkCloudscape : public vtkImageAlgorithm
 {
 public:
@@ -123,6 +130,11 @@ public:
   vtkGetMacro(PrepareSeconds, double);
   vtkGetMacro(TileSeconds, double);
   ///@}
+
+#ifndef __VTK_WRAP__
+  /// The rays of the picture: Samples x Samples a pixel. @pre there is a camera
+  nephoscope::Camera GetRays() const;
+#endif
 
   vtkMTimeType GetMTime() override;
 

@@ -30,6 +30,8 @@ int vtkCloudHeightFieldShadow::RequestInformation(
   vtkInformation* const out = outputs->GetInformationObject(0);
   const int extent[6] = { 0, this->Dimensions[0] - 1, 0, this->Dimensions[1] - 1, 0, 0 };
   out->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  const double spacing[3] = { this->Spacing, this->Spacing, 1 };
+  out->Set(vtkDataObject::SPACING(), spacing, 3);
   vtkDataObject::SetPointDataActiveScalarInfo(out, VTK_FLOAT, 1);
   return 1;
 }

@@ -69,6 +69,45 @@ class Render(ProgramTest):
         self.assertEqual(figures["size"], [160, 120])
         self.assertIn("nephoscope", figures["versions"])
 
+    def with_quality(self, quality, *options):
+        scene = self.folder / "scene.yaml"
+        scene.write_text("quality: %s\ndata: { file: %s }\nbodies: [{ type: volume }]\n" % (quality, SAMPLE))
+        done = self.render("a.png", scene, *SMALL, *options)[0]
+        done.stderr = "".join(line for line in done.stderr.splitlines(True) if ", step 0 of 0 to 3" not in line)
+        return done
+
+    def test_quality_is_explained_and_verified(self):
+        done = self.with_quality("{ tolerance: 0.1 }", "--explain", "--verify", "9")
+        self.assert_done(done)
+        self.assertTrue(done.stdout.startswith("the cheapest methods with an error of at most 0.1: predicted"))
+        for words in ("\ncells: ", "\n  not Centroid (error ", "\nleft out:", "\nverified 9 of 19200 pixels by exact",
+                      "the tolerance of 0.1 is met by 95 % of the pixels; 0 % are above it\n"):
+            self.assertIn(words, done.stdout)
+        self.assertNotIn("built-in", done.stdout + done.stderr)
+        self.assert_done(self.with_quality("{ seconds: 3600 }", "--explain"))
+
+    def test_quality_that_cannot_be_had(self):
+        self.assert_refused(self.with_quality("{ seconds: 0.00001 }"), 1, "quality: no methods take", "the fastest take")
+        self.assert_refused(self.with_quality("{ tolerance: 1.0e-12 }"), 1, "can be reached, in")
+        self.assert_refused(self.with_quality("{ tolerance: 1, seconds: 1 }"), 2, "give one of both")
+        self.assert_refused(self.with_quality("{ tolerance: 0 }"), 2, "'tolerance'")
+        self.assert_refused(self.with_quality("{ }", "--explain"), 2, "--explain", "quality:")
+        self.assert_refused(self.with_quality("{ }", "--verify", "0"), 2, "--verify")
+
+    def test_a_calibration_that_cannot_be_used_is_told(self):
+        shipped = (ROOT / "Data" / "Calibration" / "methods.json").read_text()
+        for text, words in ((shipped[:1000], "cut short"), (shipped.replace('"version": 1', '"version": 9'), "newer"),
+                            (shipped.replace('"value":', '"value":1', 1), "edited by hand")):
+            (self.folder / "methods.json").write_text(text)
+            scene = self.folder / "scene.yaml"
+            scene.write_text("quality: { tolerance: 0.1 }\ndata: { file: %s }\nbodies: [{ type: volume }]\n" % SAMPLE)
+            done = run("render", scene, "-o", self.folder / "a.png", "--explain", *SMALL,
+                       env={**os.environ, "NEPHOSCOPE_CALIBRATION": str(self.folder)})
+            self.assert_done(done)
+            self.assertIn(words, done.stderr)
+            self.assertIn("by built-in constants", done.stderr)
+            self.assertIn("not calibrated, by built-in constants: cells", done.stdout)
+
     def test_threads_do_not_matter(self):
         contents = set()
         for threads in (1, 2, 3):

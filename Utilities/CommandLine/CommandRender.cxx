@@ -6,6 +6,7 @@
 #include "OutputFile.h"
 #include "PictureFile.h"
 #include "Progress.h"
+#include "Quality.h"
 #include "SceneBuilder.h"
 #include "SceneFile.h"
 
@@ -38,6 +39,8 @@ struct RenderOptions
   std::optional<double> value;
   std::optional<std::string> view;
   bool sceneKeys = false;
+  bool explain = false;
+  int verify = 0;
 };
 
 void setView(CameraView& camera, const std::string& text)
@@ -154,6 +157,11 @@ void runRender(const RenderOptions& options)
     throw UsageFailure("--stats " + options.stats + " is the picture's name; give another");
   }
   const Scene scene = sceneOf(options);
+  if (options.explain && !scene.quality.isAsked())
+  {
+    throw UsageFailure("--explain tells how methods were chosen, which they are if the scene has "
+                       "quality: { tolerance: 0.01 }");
+  }
   checkWritable(options.output);
   if (!options.stats.empty())
   {
@@ -162,6 +170,8 @@ void runRender(const RenderOptions& options)
   Progress progress;
   const BuiltScene built = buildScene(scene, !options.style.empty(), progress);
   built.scape->SetComputeDepth(kind == "exr"); // a PNG has none
+  const std::string explanation = chooseMethods(scene.quality, built.scape);
+  std::cout << (options.explain ? explanation : "");
   progress.watch(built.scape, "draw");
   built.scape->Update();
   progress.forget();
@@ -172,6 +182,10 @@ void runRender(const RenderOptions& options)
   if (!options.stats.empty())
   {
     writeText(options.stats, statsOf(built, clock.lap()).dump(2) + "\n");
+  }
+  if (options.verify > 0)
+  {
+    std::cout << verified(scene.quality, built.scape, options.verify);
   }
 }
 
@@ -221,6 +235,13 @@ void addRender(CLI::App& app)
   addDataOptions(*command, options->data);
   command->add_option("--stats", options->stats, "write seconds per stage and counts as JSON")
     ->type_name("FILE.json");
+  command->add_flag("--explain", options->explain,
+    "say which methods were chosen for the scene's quality, why, and what was left out");
+  command
+    ->add_option("--verify", options->verify,
+      "after drawing, work N random pixels out by exact methods and say how wrong the picture is")
+    ->type_name("N")
+    ->check(CLI::Range(1, 1000000));
   addThreadsOption(*command);
   command->add_flag("--scene-keys", options->sceneKeys, "print every key of a scene file and end");
   command->footer(

@@ -22,6 +22,7 @@ void addRender(CLI::App& app);
 void addAnimate(CLI::App& app);
 void addChart(CLI::App& app);
 void addFit(CLI::App& app);
+void addCalibrate(CLI::App& app);
 
 /// Accepts numbers of a range, ends included; CLI::Range lets NaN pass.
 CLI::Validator numberFrom(double least, double most);

@@ -6,8 +6,10 @@
 #include "Messages.h"
 #include "ModelFile.h"
 #include "Progress.h"
+#include "Quality.h"
 
 #include <vtkCloudNetCDFReader.h>
+#include <vtkCloudscape.h>
 #include <vtkStructuredGrid.h>
 
 #include <algorithm>
@@ -118,6 +120,10 @@ BuiltScene MovingScene::at(double moment)
     Messages::throwIfError(this->Parts.data.file);
     grid = source->GetOutput();
   }
-  return buildScene(sceneAt(this->Parts, moment), grid, this->Data.lie, false, this->Watch);
+  BuiltScene built =
+    buildScene(sceneAt(this->Parts, moment), grid, this->Data.lie, false, this->Watch);
+  built.scape->SetComputeDepth(false); // frames are PNG
+  chooseMethods(this->Parts.quality, built.scape);
+  return built;
 }
 }

@@ -68,6 +68,10 @@ void validate(const Scene& scene, const std::string& name)
         " is not greater than that of the one before; put them in order");
     }
   }
+  if (scene.quality.tolerance && scene.quality.seconds)
+  {
+    throw UsageFailure(name + ": quality: asks for a tolerance and for seconds; give one of both");
+  }
   if (scene.bodies.empty())
   {
     throw UsageFailure(name + ": there is nothing to draw; add bodies: [{ type: volume }]");

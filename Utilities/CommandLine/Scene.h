@@ -27,6 +27,15 @@ struct Picture
   int samples = 2;
 };
 
+/// What the methods of the picture are chosen for; one of both, or neither.
+struct Quality
+{
+  std::optional<double> tolerance; ///< relative radiance
+  std::optional<double> seconds;
+
+  bool isAsked() const { return this->tolerance || this->seconds; }
+};
+
 struct Data
 {
   std::string file;
@@ -223,6 +232,7 @@ using Medium = std::variant<UniformMedium, HazeMedium>;
 struct Scene
 {
   Picture picture;
+  Quality quality;
   Data data;
   CameraView camera;
   Light light;

@@ -38,6 +38,18 @@ void visitKeys(Picture& picture, Visitor&& visit)
 }
 
 template <class Visitor>
+void visitKeys(Quality& quality, Visitor&& visit)
+{
+  visit(
+    Key{ "tolerance", "1", "largest error of a pixel's radiance; the cheapest methods within it",
+      "none: the methods that bodies and media name", 1e-12, 1e3 },
+    quality.tolerance);
+  visit(Key{ "seconds", "s", "longest time of drawing, instead; the most exact methods within it",
+          "none", 1e-6, 1e9 },
+    quality.seconds);
+}
+
+template <class Visitor>
 void visitKeys(Data& data, Visitor&& visit)
 {
   visit(Key{ "file", "", "NetCDF file, relative to the scene file", "required" }, data.file);
@@ -380,6 +392,7 @@ template <class Mapping, class List>
 void visitSections(Scene& scene, Mapping&& mapping, List&& list)
 {
   mapping("picture", scene.picture);
+  mapping("quality", scene.quality);
   mapping("data", scene.data);
   mapping("camera", scene.camera);
   mapping("light", scene.light);

@@ -83,6 +83,7 @@ int program(int argc, char** argv)
   addAnimate(app);
   addChart(app);
   addFit(app);
+  addCalibrate(app);
   const int code = run(app, argc, argv);
   std::cout.flush();
   if (!std::cout)

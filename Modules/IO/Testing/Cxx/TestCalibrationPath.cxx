@@ -45,7 +45,7 @@ protected:
 // What is shipped is found without a hint, and is whole.
 TEST_F(CalibrationPath, FindsWhatIsShipped)
 {
-  for (const char* const what : { "transmittance", "phase", "slab", "heightfield" })
+  for (const char* const what : { "transmittance", "phase", "slab", "heightfield", "methods" })
   {
     EXPECT_EQ(readCalibration(calibrationPath(what)).what, what);
   }
