@@ -2,7 +2,6 @@
 #include "FitMethods.h"
 
 #include "FitProblem.h"
-#include "RadianceError.h"
 #include "RemainingErrorOf.h"
 
 #include <algorithm>
@@ -14,9 +13,7 @@ namespace
 {
 /// Errors below this are rounding: pictures are float, and dark pixels count as DarkestRadiance.
 constexpr double Rounding = 1e-6;
-/// What the scale is raised by beyond the training cases.
-constexpr double Margin = 2;
-constexpr double LargestScale = 1e9;
+constexpr double LogLimit = 28; // of the scale's logarithm: from 1e-12 to 1e12
 /// Coefficients are in microseconds, so that they are numbers near 1.
 constexpr double Micro = 1e-6;
 
@@ -57,16 +54,47 @@ Fit fitSeconds(const TriedMethod& method)
   return solve(problem);
 }
 
-/// log of the error; parameters are scale and power.
+/// log of the error; parameters are the scale's logarithm and the power.
 double logError(const double* coarseness, const double* p, double* gradient)
 {
   const double x = std::log(coarseness[0]);
   if (gradient)
   {
-    gradient[0] = 1 / p[0];
+    gradient[0] = 1;
     gradient[1] = x;
   }
-  return std::log(p[0]) + p[1] * x;
+  return p[0] + p[1] * x;
+}
+
+/// Makes the first parameter what it was the logarithm of.
+void takeExponential(Fit& fit)
+{
+  FittedParameter& scale = fit.parameters[0];
+  scale.name = "scale";
+  scale.value = std::exp(scale.value);
+  scale.lower = std::exp(scale.lower);
+  scale.upper = std::exp(scale.upper);
+  scale.standardError *= scale.value;
+  const std::size_t n = fit.parameters.size();
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    fit.covariance[i] *= scale.value;
+    fit.covariance[i * n] *= scale.value;
+  }
+}
+
+/// Raises the logarithm of the scale until no training case lies above.
+void raise(const FitProblem& problem, Fit& fit)
+{
+  double p[2] = { fit.parameters[0].value, fit.parameters[1].value };
+  double over = 0;
+  for (const FitCase& fitCase : problem.training)
+  {
+    over = std::max(over, fitCase.target - logError(fitCase.input.data(), p, nullptr));
+  }
+  p[0] = fit.parameters[0].value = std::min(p[0] + over, LogLimit);
+  fit.training = remainingError(problem, problem.training, { p[0], p[1] });
+  fit.heldOut = remainingError(problem, problem.heldOut, { p[0], p[1] });
 }
 
 Fit fitError(const TriedMethod& method)
@@ -74,7 +102,7 @@ Fit fitError(const TriedMethod& method)
   FitProblem problem;
   problem.name = method.name + " error";
   problem.model = logError;
-  double least = LargestScale;
+  double least = HUGE_VAL;
   double most = 0;
   for (const MethodTrial& trial : method.trials)
   {
@@ -84,19 +112,11 @@ Fit fitError(const TriedMethod& method)
   }
   // Equally coarse cases leave the power open; bounds that meet at 0 hold it there.
   const double steepest = most > 1.01 * least ? 6 : 1e-9;
-  problem.parameters = { { "scale", 1e-2, 1e-12, LargestScale },
+  problem.parameters = { { "log scale", -4, -LogLimit, LogLimit },
     { "power", steepest / 6, 0, steepest } };
   Fit fit = solve(problem);
-  double& scale = fit.parameters[0].value;
-  const double p[2] = { scale, fit.parameters[1].value };
-  std::vector<double> over;
-  for (const FitCase& fitCase : problem.training)
-  {
-    over.push_back(fitCase.target - logError(fitCase.input.data(), p, nullptr));
-  }
-  scale = std::clamp(scale * Margin * std::exp(quantile(over, 0.95)), 1e-12, LargestScale);
-  fit.training = remainingError(problem, problem.training, { scale, p[1] });
-  fit.heldOut = remainingError(problem, problem.heldOut, { scale, p[1] });
+  raise(problem, fit);
+  takeExponential(fit);
   return fit;
 }
 }

@@ -30,9 +30,9 @@ namespace
 struct CalibrateOptions
 {
   std::string output;
-  int scenes = 4;
-  int width = 64;
-  int runs = 3;
+  int scenes = 6;
+  int width = 80;
+  int runs = 2;
 };
 
 #ifdef NEPHOSCOPE_FITS
@@ -86,7 +86,8 @@ Calibration calibrated(const CalibrateOptions& options)
   std::string left;
   Calibration calibration;
   calibration.what = "methods";
-  calibration.command = "nephoscope calibrate";
+  calibration.command = "nephoscope calibrate --scenes " + std::to_string(options.scenes) +
+    " --width " + std::to_string(options.width) + " --runs " + std::to_string(options.runs);
   for (const MethodModel& model : vtkCloudModelSelector::GetModels())
   {
     const TriedMethod& method = methods.at(model.name);
@@ -171,13 +172,13 @@ void addCalibrate(CLI::App& app)
       "JSON file; named methods.json in the folder of NEPHOSCOPE_CALIBRATION it is used")
     ->type_name("FILE.json");
   command
-    ->add_option("--scenes", options->scenes, "sets of scenes to fit, as many to check; default 4")
+    ->add_option("--scenes", options->scenes, "sets of scenes to fit, as many to check; default 6")
     ->type_name("N")
     ->check(CLI::Range(3, 1000));
-  command->add_option("--width", options->width, "of the small pictures, pixels; default 64")
+  command->add_option("--width", options->width, "of the small pictures, pixels; default 80")
     ->type_name("W")
     ->check(CLI::Range(16, 1024));
-  command->add_option("--runs", options->runs, "of each method, the fastest counts; default 3")
+  command->add_option("--runs", options->runs, "of each method, the fastest counts; default 2")
     ->type_name("N")
     ->check(CLI::Range(1, 100));
   addThreadsOption(*command);

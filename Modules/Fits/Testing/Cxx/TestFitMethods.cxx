@@ -43,22 +43,25 @@ TEST(FitMethods, RecoversWhatIsExact)
   EXPECT_LT(fits[0].heldOut.max, 1e-6);
   EXPECT_EQ(fits[1].name, "march error");
   EXPECT_NEAR(fits[1].value("power"), 2, 1e-6);
-  EXPECT_NEAR(fits[1].value("scale"), 1, 1e-5) << "doubled";
+  EXPECT_NEAR(fits[1].value("scale"), 0.5, 1e-5);
 }
 
-// Of forty held-out cases at most two lie above, and the model is not raised out of reach.
+// Of forty held-out cases at most two lie above, of the training cases none; the model is not raised out of reach.
 TEST(FitMethods, LiesAboveWhatIsScattered)
 {
   const TriedMethod method = tried(3);
   const Fit fit = fitMethod(method)[1];
   int above = 0;
+  double closest = 0;
   for (const MethodTrial& trial : method.trials)
   {
     const double model = fit.value("scale") * std::pow(trial.coarseness, fit.value("power"));
     above += trial.heldOut && trial.error > model ? 1 : 0;
+    closest = std::max(closest, trial.heldOut ? 0 : trial.error / model);
   }
   EXPECT_LE(above, 2);
-  EXPECT_LT(fit.value("scale"), 0.5 * 3 * 3);
+  EXPECT_NEAR(closest, 1, 1e-9) << "raised no further than the training cases ask";
+  EXPECT_LT(fit.value("scale"), 0.5 * 3 * 1.5);
 }
 
 // Cost is never negative, even where noise asks for it, and equally coarse cases have no power.
@@ -73,7 +76,7 @@ TEST(FitMethods, StaysPhysical)
   }
   const std::vector<Fit> fits = fitMethod(method);
   EXPECT_EQ(fits[0].value("steps"), 0);
-  EXPECT_NEAR(fits[1].value("scale"), 0.2, 1e-6);
+  EXPECT_NEAR(fits[1].value("scale"), 0.1, 1e-6);
   EXPECT_LT(fits[1].value("power"), 1e-6);
 }
 
