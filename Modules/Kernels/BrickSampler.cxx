@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace nephoscope
 {
@@ -22,7 +23,8 @@ double determinant(const Vector3& a, const Vector3& b, const Vector3& c)
 struct BrickSampler::Linear
 {
   std::array<std::array<double, 4>, 4> Weight; ///< [corner]: constant, slopes
-  std::vector<std::array<double, 4>> Value;    ///< [quantity]
+  std::array<double, 4> Root;                  ///< [corner]: -1 / slope along x
+  std::array<std::array<double, 4>, MostQuantities> Value;
 };
 
 double linearMass(const std::array<Vector3, 4>& p, const std::array<double, 4>& values)
@@ -91,8 +93,8 @@ void BrickSampler::add(const std::array<Vector3, 4>& corners, const double* valu
     const double height = dot(normal, p[v] - base);
     const Vector3 slope = (1 / height) * normal;
     field.Weight[v] = { -dot(slope, base), slope[0], slope[1], slope[2] };
+    field.Root[v] = slope[0] != 0 ? -1 / slope[0] : 0;
   }
-  field.Value.resize(static_cast<std::size_t>(this->Quantities));
   for (int q = 0; q < this->Quantities; ++q)
   {
     for (int n = 0; n < 4; ++n)
@@ -118,61 +120,93 @@ void BrickSampler::fillRow(const Linear& field, int y, int z, const int box[2])
 {
   double low = box[0];
   double high = box[1];
-  for (const auto& w : field.Weight)
+  for (std::size_t v = 0; v < 4; ++v)
   {
+    const auto& w = field.Weight[v];
     const double at0 = w[0] + w[2] * y + w[3] * z + OnFace;
     if (w[1] > 0)
     {
-      low = std::max(low, -at0 / w[1]);
+      low = std::max(low, at0 * field.Root[v]);
     }
     else if (w[1] < 0)
     {
-      high = std::min(high, -at0 / w[1]);
+      high = std::min(high, at0 * field.Root[v]);
     }
     else if (at0 < 0)
     {
       return;
     }
   }
-  const std::size_t stride = static_cast<std::size_t>(this->Quantities) + 1;
-  const int last = static_cast<int>(std::floor(high));
-  for (int x = static_cast<int>(std::ceil(low)); x <= last; ++x)
+  if (!(low <= high))
   {
-    float* const value = this->Values.data() +
-      ((static_cast<std::size_t>(z) * this->Count[1] + y) * this->Count[0] + x) * stride;
-    for (std::size_t q = 0; q + 1 < stride; ++q)
-    {
-      const auto& v = field.Value[q];
-      value[q] = static_cast<float>(v[0] + v[1] * x + v[2] * y + v[3] * z);
-    }
-    value[stride - 1] = 1;
+    return;
   }
+  // Neither is negative: what is cut off is rounded down.
+  const int last = static_cast<int>(high);
+  int first = static_cast<int>(low);
+  first += first < low ? 1 : 0;
+  const std::size_t plane = this->Values.size() / (static_cast<std::size_t>(this->Quantities) + 1);
+  float* row =
+    this->Values.data() + (static_cast<std::size_t>(z) * this->Count[1] + y) * this->Count[0];
+  for (int q = 0; q < this->Quantities; ++q, row += plane)
+  {
+    const auto& v = field.Value[static_cast<std::size_t>(q)];
+    const double at0 = v[0] + v[2] * y + v[3] * z;
+    for (int x = first; x <= last; ++x)
+    {
+      row[x] = static_cast<float>(at0 + v[1] * x);
+    }
+  }
+  for (int x = first; x <= last; ++x)
+  {
+    row[x] = 1;
+  }
+}
+
+/// Of each voxel's samples. Whole rows are added before they are cut into voxels.
+std::array<double, BrickSampler::Volume> BrickSampler::sums(int plane) const
+{
+  std::array<double, Volume> made{};
+  std::array<double, Edge * MostSamples> row{};
+  const std::size_t size = this->Values.size() / (static_cast<std::size_t>(this->Quantities) + 1);
+  const float* const values = this->Values.data() + static_cast<std::size_t>(plane) * size;
+  double* sum = made.data();
+  for (int voxelRow = 0; voxelRow < Edge * Edge; ++voxelRow)
+  {
+    row.fill(0);
+    const int rows = this->Samples[1] * this->Samples[2];
+    for (int r = 0; r < rows; ++r)
+    {
+      const int y = voxelRow % Edge * this->Samples[1] + r % this->Samples[1];
+      const int z = voxelRow / Edge * this->Samples[2] + r / this->Samples[1];
+      const float* const from = values + (z * this->Count[1] + y) * this->Count[0];
+      for (int x = 0; x < this->Count[0]; ++x)
+      {
+        row[static_cast<std::size_t>(x)] += static_cast<double>(from[x]);
+      }
+    }
+    const double* sample = row.data();
+    for (int voxel = 0; voxel < Edge; ++voxel, ++sum, sample += this->Samples[0])
+    {
+      *sum = std::accumulate(sample, sample + this->Samples[0], 0.0);
+    }
+  }
+  return made;
 }
 
 void BrickSampler::average(int quantity, bool amongMet, float* means, int stride) const
 {
-  const std::size_t width = static_cast<std::size_t>(this->Quantities) + 1;
-  std::array<double, Volume> sums{};
-  std::array<double, Volume> met{};
-  const float* value = this->Values.data();
-  for (int z = 0; z < this->Count[2]; ++z)
+  const std::array<double, Volume> values = this->sums(quantity);
+  std::array<double, Volume> numbers{};
+  if (amongMet)
   {
-    for (int y = 0; y < this->Count[1]; ++y)
-    {
-      const int row = (z / this->Samples[2] * Edge + y / this->Samples[1]) * Edge;
-      for (int x = 0; x < this->Count[0]; ++x, value += width)
-      {
-        const auto voxel = static_cast<std::size_t>(row + x / this->Samples[0]);
-        sums[voxel] += value[quantity];
-        met[voxel] += value[width - 1];
-      }
-    }
+    numbers = this->sums(this->Quantities);
   }
   const double all = this->Samples[0] * this->Samples[1] * this->Samples[2];
   for (std::size_t voxel = 0; voxel < Volume; ++voxel)
   {
-    const double number = amongMet ? std::max(met[voxel], 1.0) : all;
-    means[voxel * static_cast<std::size_t>(stride)] = static_cast<float>(sums[voxel] / number);
+    const double number = amongMet ? std::max(numbers[voxel], 1.0) : all;
+    means[voxel * static_cast<std::size_t>(stride)] = static_cast<float>(values[voxel] / number);
   }
 }
 }

@@ -39,8 +39,9 @@ class BrickSampler
 public:
   static constexpr int Edge = 8;
   static constexpr int Volume = Edge * Edge * Edge;
+  static constexpr int MostQuantities = 8;
 
-  /// @param samples along a voxel's edges, 1 to 16 each; @param quantities at least 1
+  /// @param samples along a voxel's edges, 1 to 16 each; @param quantities 1 to 8
   BrickSampler(const VoxelFrame& frame, const std::array<int, 3>& samples, int quantities);
 
   /// Begin the brick whose first voxel this is.
@@ -53,8 +54,10 @@ public:
   void average(int quantity, bool amongMet, float* means, int stride) const;
 
 private:
+  static constexpr int MostSamples = 16; ///< along an edge
   struct Linear;
   void fillRow(const Linear& field, int y, int z, const int box[2]);
+  std::array<double, Volume> sums(int plane) const;
 
   VoxelFrame Frame;
   std::array<int, 3> Samples;
@@ -62,7 +65,7 @@ private:
   int Quantities;
   Vector3 First{ 0, 0, 0 }; ///< place of sample (0, 0, 0)
   Vector3 Step{ 0, 0, 0 };
-  std::vector<float> Values; ///< [z][y][x][quantity], and whether it was met
+  std::vector<float> Values; ///< [quantity, then whether it was met][z][y][x]
 };
 }
 #endif

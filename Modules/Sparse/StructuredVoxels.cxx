@@ -36,10 +36,6 @@ public:
     {
       grid->GetPoint(static_cast<vtkIdType>(p), this->Points[p].v);
     }
-    for (const Quantity& quantity : this->Quantities)
-    {
-      this->Channels += quantity.components;
-    }
     this->Frame.spacing = { order.voxelSize[0], order.voxelSize[1], order.voxelSize[2] };
     this->Masses.assign(this->Quantities.size(), 0);
   }
@@ -47,6 +43,7 @@ public:
   std::vector<VoxelGrid> make(const VoxelProgress& progress)
   {
     this->findCells();
+    this->keepWanted();
     this->chooseSamples();
     if (!this->sample(progress))
     {
@@ -118,6 +115,7 @@ private:
   Box boxOf(const Corners& corners) const;
   void refuseTooMany(double bricks) const;
   void findCells();
+  void keepWanted();
   void chooseSamples();
   bool sample(const VoxelProgress& progress);
   double keep(std::size_t first, double cut, VoxelGrid& made) const;
@@ -243,6 +241,26 @@ void Voxelizer::addMass(const Corners& corners)
       }
     }
   }
+}
+
+/// What says where clouds are is needed no more, unless it is asked for.
+void Voxelizer::keepWanted()
+{
+  const auto& names = this->Order.names;
+  std::vector<Quantity> wanted;
+  std::vector<double> masses;
+  for (std::size_t q = 0; q < this->Quantities.size(); ++q)
+  {
+    Quantity& quantity = this->Quantities[q];
+    if (names.empty() || std::find(names.begin(), names.end(), quantity.name) != names.end())
+    {
+      this->Channels += quantity.components;
+      wanted.push_back(std::move(quantity));
+      masses.push_back(this->Masses[q]);
+    }
+  }
+  this->Quantities = std::move(wanted);
+  this->Masses = std::move(masses);
 }
 
 /// Samples no farther apart than half of what all but a tenth of the cells measure along an axis; at least 2 a voxel.
@@ -417,7 +435,6 @@ void Voxelizer::conserve(std::size_t quantity, double sum, double cut, VoxelGrid
 std::vector<VoxelGrid> Voxelizer::collect()
 {
   const Vector3& size = this->Frame.spacing;
-  const auto& names = this->Order.names;
   std::vector<VoxelGrid> grids;
   std::size_t channel = 0;
   for (std::size_t q = 0; q < this->Quantities.size(); ++q)
@@ -425,10 +442,6 @@ std::vector<VoxelGrid> Voxelizer::collect()
     const Quantity& quantity = this->Quantities[q];
     const std::size_t first = channel;
     channel += static_cast<std::size_t>(quantity.components);
-    if (!names.empty() && std::find(names.begin(), names.end(), quantity.name) == names.end())
-    {
-      continue;
-    }
     VoxelGrid made;
     made.name = quantity.name;
     made.components = quantity.components;

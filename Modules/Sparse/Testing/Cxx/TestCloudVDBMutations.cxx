@@ -25,7 +25,11 @@ extern "C" const char* __asan_default_options()
 
 namespace
 {
+#ifdef __SANITIZE_ADDRESS__
+constexpr int Mutants = 150; // ten times slower
+#else
 constexpr int Mutants = 600;
+#endif
 
 std::string bytesOf(const std::string& path)
 {
@@ -144,5 +148,5 @@ TEST(CloudVDBMutations, AreReadOrRefused)
   std::printf("%d read, %d refused, %d crashed inside OpenVDB\n", read, refused, crashed);
   EXPECT_GT(read, Mutants / 20);
   EXPECT_GT(refused, Mutants / 20);
-  EXPECT_LE(crashed, Mutants / 100);
+  EXPECT_LE(crashed, 1 + Mutants / 120);
 }
