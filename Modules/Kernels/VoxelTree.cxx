@@ -80,12 +80,16 @@ void VoxelLight::add(const double tau[2], const double sun[2])
     this->transmittance *= 1 - blocked;
     return;
   }
-  for (int n = 0; n < 2; ++n)
-  {
-    const double passed = exponential(-tau[n]);
-    this->light += this->transmittance * (1 - passed) * sunThrough(sun[n]);
-    this->transmittance *= passed;
-  }
+  // Sun's depths at both ends; the light is an integral of exponentials that does not fade away where a cell is opaque.
+  const double slope = (sun[1] - sun[0]) / (2 * GaussPoint);
+  const double middle = 0.5 * (sun[0] + sun[1]);
+  const double near = std::max(middle - slope, 0.0);
+  const double far = std::max(middle + slope, 0.0);
+  const double fade = both + far - near;
+  const double first = sunThrough(near);
+  this->light += this->transmittance * both *
+    (std::abs(fade) < 1e-4 ? first * (1 - 0.5 * fade) : (first - sunThrough(far + both)) / fade);
+  this->transmittance *= exponential(-both);
 }
 
 VoxelTree::VoxelTree(const std::vector<Key>& origins, const float* values)

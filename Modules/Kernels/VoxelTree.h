@@ -13,8 +13,8 @@
  *
  *     J = integral of sigma(t) exp(-tau(t)) exp(-tau_sun(t)) dt        sigma = scale density
  *
- * each cell with the mean of the sun's depth tau_sun at its Gauss points, or half of it with each where the cell is not thin (second
- * order). tau_sun is known at the corners, and trilinear between them. There it is found from the sun's side on: from a corner through
+ * each cell with the mean of the sun's depth tau_sun at its Gauss points, or, where the cell is not thin, in closed form with an even
+ * sigma and a tau_sun that is linear through them (second order, and half of the light comes back from what is opaque). tau_sun is known at the corners, and trilinear between them. There it is found from the sun's side on: from a corner through
  * its own brick by the trapezoidal rule, then from the next brick that is not empty, where the ray enters it, bilinear on the face. Bricks of one wave do not need each other and may be
  * swept at once; the result does not depend on how. sunDepthExact is the exact counterpart.
  *

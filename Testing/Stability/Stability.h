@@ -31,7 +31,8 @@ struct Outcome
 
 struct StabilityCase
 {
-  std::string group; ///< "advection", "contour", "volume", "optics", "fit", "height field", "haze"
+  std::string
+    group; ///< "advection", "contour", "volume", "voxels", "optics", "fit", "height field", "haze"
   std::string situation; ///< what is hard
   std::string defined;   ///< the answer that is asked for
   std::function<Outcome()> run;

@@ -38,7 +38,11 @@ vtkSmartPointer<vtkCamera> vtkCameraOf(const View& view)
 std::vector<RGB> colorsOf(vtkImageData* image, const char* name)
 {
   vtkDataArray* const array = image->GetPointData()->GetArray(name);
-  std::vector<RGB> colors(array ? static_cast<std::size_t>(array->GetNumberOfTuples()) : 0);
+  if (!array)
+  {
+    return {};
+  }
+  std::vector<RGB> colors(static_cast<std::size_t>(array->GetNumberOfTuples()));
   for (std::size_t p = 0; p < colors.size(); ++p)
   {
     for (int c = 0; c < 3; ++c)
@@ -49,8 +53,7 @@ std::vector<RGB> colorsOf(vtkImageData* image, const char* name)
   return colors;
 }
 
-vtkSmartPointer<vtkCloudscape> drawn(
-  const std::vector<vtkSmartPointer<vtkCloudCellVolume>>& bodies, const View& view)
+vtkSmartPointer<vtkCloudscape> drawn(const Bodies& bodies, const View& view)
 {
   auto scape = vtkSmartPointer<vtkCloudscape>::New();
   for (const auto& body : bodies)
@@ -111,15 +114,14 @@ vtkSmartPointer<vtkCloudCellVolume> bodyOf(vtkStructuredGrid* grid, const RGB& c
   return body;
 }
 
-Picture draw(const std::vector<vtkSmartPointer<vtkCloudCellVolume>>& bodies, const View& view)
+Picture draw(const Bodies& bodies, const View& view)
 {
   const auto scape = drawn(bodies, view);
   return { colorsOf(scape->GetOutput(), arrays::Radiance),
     colorsOf(scape->GetOutput(), arrays::Transmittance) };
 }
 
-long long countSegments(
-  const std::vector<vtkSmartPointer<vtkCloudCellVolume>>& bodies, const View& view)
+long long countSegments(const Bodies& bodies, const View& view)
 {
   return drawn(bodies, view)->GetNumberOfSegments();
 }

@@ -44,15 +44,16 @@ vtkSmartPointer<vtkStructuredGrid> makeGrid(const std::array<int, 3>& n,
 /// A body that draws a grid with extinction 1 a unit where the cloud fraction is 1.
 vtkSmartPointer<vtkCloudCellVolume> bodyOf(vtkStructuredGrid* grid, const RGB& color = { 1, 1, 1 });
 
+using Bodies = std::vector<vtkSmartPointer<vtkCloudBody>>;
+
 struct Picture
 {
   std::vector<RGB> radiance;
   std::vector<RGB> transmittance;
 };
-Picture draw(const std::vector<vtkSmartPointer<vtkCloudCellVolume>>& bodies, const View& view);
+Picture draw(const Bodies& bodies, const View& view);
 /// Draws and lets go of the picture; says how many segments it took.
-long long countSegments(
-  const std::vector<vtkSmartPointer<vtkCloudCellVolume>>& bodies, const View& view);
+long long countSegments(const Bodies& bodies, const View& view);
 
 /// Largest error of transmittance, ours and the naive way's, against the exact sum; NaN counts as 1.
 Outcome compareWithExact(

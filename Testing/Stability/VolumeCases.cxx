@@ -212,9 +212,9 @@ vtkSmartPointer<vtkStructuredGrid> bar(const Vector3& a, const Vector3& b)
 
 /// Three bars over the sides of a triangle; each rises from one corner, so that it passes the next corner above the bar that
 /// starts there.
-std::vector<vtkSmartPointer<vtkCloudCellVolume>> cyclicBars(const Vector3 (&corner)[3])
+Bodies cyclicBars(const Vector3 (&corner)[3])
 {
-  std::vector<vtkSmartPointer<vtkCloudCellVolume>> bodies;
+  Bodies bodies;
   for (int n = 0; n < 3; ++n)
   {
     const Vector3 side = corner[(n + 1) % 3] - corner[n];
