@@ -83,16 +83,22 @@ void takeExponential(Fit& fit)
   }
 }
 
-/// Raises the logarithm of the scale until no training case lies above.
+/// k so that the mean and k standard deviations of n values bound 95 % of their normal distribution, with 95 % confidence.
+double toleranceFactor(std::size_t n)
+{
+  constexpr double z = 1.6449; // of 95 %
+  const auto count = static_cast<double>(std::max<std::size_t>(n, 4));
+  const double a = 1 - z * z / (2 * (count - 1));
+  const double b = z * z * (1 - 1 / count);
+  return (z + std::sqrt(z * z - a * b)) / a;
+}
+
+/// Raises the logarithm of the scale to the tolerance limit.
 void raise(const FitProblem& problem, Fit& fit)
 {
   double p[2] = { fit.parameters[0].value, fit.parameters[1].value };
-  double over = 0;
-  for (const FitCase& fitCase : problem.training)
-  {
-    over = std::max(over, fitCase.target - logError(fitCase.input.data(), p, nullptr));
-  }
-  p[0] = fit.parameters[0].value = std::min(p[0] + over, LogLimit);
+  p[0] += toleranceFactor(problem.training.size()) * fit.training.rms;
+  p[0] = fit.parameters[0].value = std::min(p[0], LogLimit);
   fit.training = remainingError(problem, problem.training, { p[0], p[1] });
   fit.heldOut = remainingError(problem, problem.heldOut, { p[0], p[1] });
 }

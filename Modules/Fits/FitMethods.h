@@ -4,10 +4,10 @@
  * @brief The constants of cost and error models (MethodChoice.h), fitted to what methods cost and by how much they were wrong.
  *
  *     seconds: sum_i c_i w_i, c_i in microseconds from 0 to 1e6, relative residuals
- *     error:   log scale + power log x, absolute residuals; then scale is raised until no training case lies above. Of unseen cases
- *              that are like the n training ones, 1 in n + 1 is then expected above, whatever the errors' distribution: the
- *              largest of n + 1 is as likely any of them. With 19 or more that is 5 % or less. The power is 0 where all cases
- *              are equally coarse.
+ *     error:   log scale + power log x, absolute residuals; then scale is raised by exp(k s), s the standard deviation of the n
+ *              training cases' residuals and k the factor of a normal distribution's one-sided tolerance limit: with 95 %
+ *              confidence, 95 % of all cases lie below (Natrella, Experimental Statistics, 1963, 2-4; k is 2.38 for n = 20, 1.92 for
+ *              100). The power is 0 where all cases are equally coarse.
  * @sa FitProblem.h, vtkCloudModelSelector, Utilities/Doc/choosing.md
  */
 #ifndef FitMethods_h

@@ -95,7 +95,9 @@ double CostModel::seconds(const std::vector<double>& work) const
   double sum = 0;
   for (std::size_t i = 0; i < this->coefficients.size() && i < work.size(); ++i)
   {
-    sum += bounded(bounded(this->coefficients[i]) * bounded(work[i]));
+    const double amount = bounded(work[i]);
+    // Endless work is never done, even if it costs nothing.
+    sum += amount < Endless ? bounded(bounded(this->coefficients[i]) * amount) : Endless;
   }
   return bounded(sum);
 }

@@ -136,12 +136,11 @@ void addOption(
   part.options.push_back(std::move(option));
 }
 
-/// Samples of a slice: a number for each wave, or for as much as some pixels see.
-
+/// Samples of a slice: a number for each wave, or one for each pixel where a wave is not seen as wide as that.
 double samplesOf(const View& view, double wave, double samples, double far)
 {
   const double spacing = wave / samples;
-  const double growth = view.camera.isParallel() ? 0 : view.camera.pixel() * 12 / samples;
+  const double growth = view.camera.isParallel() ? 0 : view.camera.pixel();
   const double dense = growth > 0 ? std::min(far, spacing / growth) : far;
   return dense / spacing + (far > dense ? std::log(far / dense) / growth : 0);
 }
@@ -157,7 +156,7 @@ void addMoments(
     option.name = "Moments, " + number(samples) + " samples of the shortest wave";
     option.model = "height field Moments";
     option.work = { view.rays, (columns ? view.camera.width() : view.rays) * count };
-    option.coarseness = std::max(1.0, 12 * view.camera.footprint(distance) / wave) / samples;
+    option.coarseness = std::max(1 / samples, view.camera.footprint(distance) / wave);
     addOption(part, body, option, { "Moments", 0, samples, true });
     if (samples == 12 && !columns && !view.camera.isParallel())
     {

@@ -69,8 +69,7 @@ public:
   vtkGetMacro(Step, double);
   ///@}
   ///@{
-  /// Samples of the shortest wave for Moments and Sexp1986, 2 to 1000; as many of two pixels' width
-  /// where that is more than a wave. Default 12.
+  /// Samples of the shortest wave for Moments and Sexp1986, 2 to 1000, but none closer than 0.7 pixels. Default 12.
   vtkSetClampMacro(SamplesPerWave, double, 2, 1000);
   vtkGetMacro(SamplesPerWave, double);
   ///@}

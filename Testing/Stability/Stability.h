@@ -31,8 +31,8 @@ struct Outcome
 
 struct StabilityCase
 {
-  std::string
-    group; ///< "advection", "contour", "volume", "voxels", "optics", "fit", "height field", "haze"
+  /// "advection", "contour", "volume", "voxels", "optics", "fit", "height field", "haze", "choice"
+  std::string group;
   std::string situation; ///< what is hard
   std::string defined;   ///< the answer that is asked for
   std::function<Outcome()> run;

@@ -31,7 +31,7 @@ struct CalibrateOptions
 {
   std::string output;
   int scenes = 6;
-  int width = 80;
+  int width = 64;
   int runs = 2;
 };
 
@@ -40,7 +40,7 @@ struct CalibrateOptions
 constexpr int FirstSeed = 1;
 constexpr int FirstHeldOut = 1001;
 constexpr int Pixels = 200;
-constexpr double DearestSeconds = 1;
+constexpr double DearestSeconds = 0.4;
 
 using Trials = std::map<std::string, TriedMethod>;
 
@@ -175,7 +175,7 @@ void addCalibrate(CLI::App& app)
     ->add_option("--scenes", options->scenes, "sets of scenes to fit, as many to check; default 6")
     ->type_name("N")
     ->check(CLI::Range(3, 1000));
-  command->add_option("--width", options->width, "of the small pictures, pixels; default 80")
+  command->add_option("--width", options->width, "of the small pictures, pixels; default 64")
     ->type_name("W")
     ->check(CLI::Range(16, 1024));
   command->add_option("--runs", options->runs, "of each method, the fastest counts; default 2")

@@ -141,7 +141,7 @@ protected:
   vtkSmartPointer<vtkCloudTerrain> Terrain;
 };
 
-/// The models' constants as shipped.
+/// The models' constants as shipped; what is not calibrated keeps those that are built in.
 std::pair<CostModel, ErrorModel> shippedModels(const std::string& name)
 {
   static const Calibration shipped = readCalibration(calibrationPath("methods"));
@@ -150,8 +150,14 @@ std::pair<CostModel, ErrorModel> shippedModels(const std::string& name)
   {
     if (model.name == name && model.scale > 0)
     {
-      const Fit& fit = shipped.fit(name + " error");
-      models.second = { fit.value("scale"), fit.value("power") };
+      models.second = { model.scale, model.power };
+      for (const Fit& fit : shipped.fits)
+      {
+        if (fit.name == name + " error")
+        {
+          models.second = { fit.value("scale"), fit.value("power") };
+        }
+      }
     }
   }
   return models;
@@ -168,17 +174,17 @@ double sum(const std::vector<double>& values)
 }
 }
 
-// The seeds are none of those that calibrations use. 24 scenes that methods are tried in, 9 methods in each and more.
+// Scenes of seeds that no calibration uses, in views from 3 to 50 degrees.
 TEST(Prediction, IsNotExceededInNineteenOfTwentyCases)
 {
   int cases = 0;
   int within = 0;
   std::string worst;
-  for (const int seed : { 9001, 9002, 9003 })
+  for (const int seed : { 70001, 70002, 70003, 70004 })
   {
-    for (const MethodScene& scene : methodScenes(seed, 28))
+    for (const MethodScene& scene : methodScenes(seed, 40))
     {
-      for (const TriedOption& tried : tryMethods(scene, 60, 1, 0.3))
+      for (const TriedOption& tried : tryMethods(scene, 100, 1, 0.1))
       {
         const ErrorModel model = shippedModels(tried.model).second;
         if (model.scale > 0)
@@ -195,6 +201,8 @@ TEST(Prediction, IsNotExceededInNineteenOfTwentyCases)
   }
   EXPECT_GE(cases, 150);
   EXPECT_GE(within, 0.95 * cases) << cases << " cases\n" << worst;
+  RecordProperty("cases", cases);
+  RecordProperty("within", within);
 }
 
 TEST_F(Choosing, CellsLeftOutChangeNoPixelByMoreThanPromised)

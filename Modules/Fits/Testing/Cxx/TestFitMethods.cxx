@@ -46,22 +46,22 @@ TEST(FitMethods, RecoversWhatIsExact)
   EXPECT_NEAR(fits[1].value("scale"), 0.5, 1e-5);
 }
 
-// Of forty held-out cases at most two lie above, of the training cases none; the model is not raised out of reach.
+// 40 cases of a uniform logarithm between +-log 3, whose standard deviation is log 3 / sqrt 3: the normal tolerance limit for 95 % of
+// them with 95 % confidence is 2.125 of that above the middle (tables of one-sided limits, n = 40).
 TEST(FitMethods, LiesAboveWhatIsScattered)
 {
   const TriedMethod method = tried(3);
   const Fit fit = fitMethod(method)[1];
   int above = 0;
-  double closest = 0;
   for (const MethodTrial& trial : method.trials)
   {
     const double model = fit.value("scale") * std::pow(trial.coarseness, fit.value("power"));
     above += trial.heldOut && trial.error > model ? 1 : 0;
-    closest = std::max(closest, trial.heldOut ? 0 : trial.error / model);
   }
   EXPECT_LE(above, 2);
-  EXPECT_NEAR(closest, 1, 1e-9) << "raised no further than the training cases ask";
-  EXPECT_LT(fit.value("scale"), 0.5 * 3 * 1.5);
+  const double middle = std::pow(0.1, fit.value("power")); // of log x
+  EXPECT_NEAR(
+    std::log(fit.value("scale") * middle / (0.5 * 0.01)), 2.125 * std::log(3) / std::sqrt(3), 0.3);
 }
 
 // Cost is never negative, even where noise asks for it, and equally coarse cases have no power.

@@ -143,6 +143,7 @@ TEST(MethodChoice, ModelsStayInRange)
   EXPECT_EQ((CostModel{ { -1, 1 } }.seconds({ 3, 4 })), 4);
   EXPECT_EQ(cost.seconds({ Infinity, 1 }), Endless);
   EXPECT_EQ(cost.seconds({ NaN, 1 }), Endless);
+  EXPECT_EQ((CostModel{ { 1, 0 } }.seconds({ 1, Infinity })), Endless);
   const ErrorModel error{ 0.5, 2 };
   EXPECT_EQ(error.error(3), 4.5);
   EXPECT_EQ(error.error(0), 0);
