@@ -174,7 +174,7 @@ double sum(const std::vector<double>& values)
 }
 }
 
-// Scenes of seeds that no calibration uses, in views from 3 to 50 degrees.
+// Scenes of seeds that no calibration uses, in views from 3 to 50 degrees; methods that approximate.
 TEST(Prediction, IsNotExceededInNineteenOfTwentyCases)
 {
   int cases = 0;
@@ -187,7 +187,7 @@ TEST(Prediction, IsNotExceededInNineteenOfTwentyCases)
       for (const TriedOption& tried : tryMethods(scene, 100, 1, 0.1))
       {
         const ErrorModel model = shippedModels(tried.model).second;
-        if (model.scale > 0)
+        if (model.scale > 1e-5) // less is rounding
         {
           const bool holds = tried.error <= tried.bound + model.error(tried.coarseness);
           ++cases;
