@@ -30,8 +30,8 @@ const std::vector<MethodModel>& methodModels()
     { "haze without clouds", { "rays" }, { 5e-6 }, 1e-3, 0 },
     { "cells PixelDepth", { "points", "segments" }, { 2e-7, 1e-7 }, 3e-5, 0 },
     { "cells summed", { "points", "segments" }, { 2e-7, 5e-8 }, 3e-5, 0 },
-    { "cells Visibility", { "points", "segments" }, { 1e-5, 2e-7 }, 1, 0 },
-    { "cells Centroid", { "points", "segments" }, { 5e-6, 2e-7 }, 1, 0 },
+    { "cells Visibility", { "points", "segments" }, { 1e-5, 2e-7 }, 1, 0, false },
+    { "cells Centroid", { "points", "segments" }, { 5e-6, 2e-7 }, 1, 0, false },
   };
   return models;
 }

@@ -28,6 +28,8 @@ struct MethodModel
   std::vector<double> seconds;   ///< for one of each
   double scale = 0;              ///< of its error
   double power = 0;
+  bool isBounded =
+    true; ///< false: no calibration's scenes bound the error, which stays as it is here
 };
 
 /// All methods.

@@ -148,7 +148,8 @@ void vtkCloudModelSelector::SetCalibration(const nephoscope::Calibration& calibr
       }
       this->Data->Calibrated.insert(model.name);
     }
-    if (const nephoscope::Fit* const fit = find(calibration, model.name + " error"))
+    const nephoscope::Fit* const fit = find(calibration, model.name + " error");
+    if (fit && model.isBounded)
     {
       models.Error = { fit->value("scale"), fit->value("power") };
     }
