@@ -104,11 +104,14 @@ bool vtkCloudPictureCheck::Check(vtkCloudscape* scape)
   const int width = scape->GetOutput()->GetDimensions()[0];
   for (const vtkIdType pixel : this->Pixels)
   {
+    const vtkIdType column = pixel % width;
+    const vtkIdType row = pixel / width;
     double exact[3] = { 0, 0, 0 };
     for (int ray = 0; ray < n * n; ++ray)
     {
-      picture.Add(n * static_cast<double>(pixel % width) + ray % n + 0.5,
-        n * static_cast<double>(pixel / width) + ray / n + 0.5, exact);
+      const vtkIdType x = n * column + ray % n;
+      const vtkIdType y = n * row + ray / n;
+      picture.Add(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5, exact);
     }
     double radiance[3];
     drawn->GetTuple(pixel, radiance);

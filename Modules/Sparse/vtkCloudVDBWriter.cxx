@@ -170,13 +170,9 @@ vtkTypeBool vtkCloudVDBWriter::ProcessRequest(
   return 1;
 }
 
-void vtkCloudVDBWriter::WriteData(vtkDataObject* data)
+std::vector<nephoscope::VoxelGrid> vtkCloudVDBWriter::MakeGrids(vtkDataObject* data)
 {
   using namespace nephoscope;
-  if (!this->FileName || !*this->FileName)
-  {
-    throw VDBError("There is no name of a file to write; set FileName");
-  }
   VoxelOrder order;
   order.names = this->GridNames;
   order.tolerance = this->PruningTolerance;
@@ -184,22 +180,28 @@ void vtkCloudVDBWriter::WriteData(vtkDataObject* data)
   order.liquidRadius = this->LiquidRadius;
   order.iceRadius = this->IceRadius;
   order.fullCoverExtinction = this->FullCoverExtinction;
-  std::vector<VoxelGrid> grids;
   if (auto* const image = vtkImageData::SafeDownCast(data))
   {
-    grids = voxelsOf(image, order);
+    return voxelsOf(image, order);
   }
-  else
+  auto* const grid = vtkStructuredGrid::SafeDownCast(data);
+  order.voxelSize = voxelSizeOf(this->VoxelSize, grid);
+  return voxelsOf(grid, order,
+    [this](double done)
+    {
+      this->UpdateProgress(0.9 * done);
+      return !this->GetAbortExecute();
+    });
+}
+
+void vtkCloudVDBWriter::WriteData(vtkDataObject* data)
+{
+  using namespace nephoscope;
+  if (!this->FileName || !*this->FileName)
   {
-    auto* const grid = vtkStructuredGrid::SafeDownCast(data);
-    order.voxelSize = voxelSizeOf(this->VoxelSize, grid);
-    grids = voxelsOf(grid, order,
-      [this](double done)
-      {
-        this->UpdateProgress(0.9 * done);
-        return !this->GetAbortExecute();
-      });
+    throw VDBError("There is no name of a file to write; set FileName");
   }
+  const std::vector<VoxelGrid> grids = this->MakeGrids(data);
   if (this->GetAbortExecute())
   {
     return;

@@ -40,6 +40,11 @@
 #include <string> // for members
 #include <vector> // for members
 
+namespace nephoscope
+{
+struct VoxelGrid;
+}
+
 class VTKCLOUDSPARSE_EXPORT vtkCloudVDBWriter : public vtkAlgorithm
 {
 public:
@@ -131,6 +136,7 @@ private:
   vtkCloudVDBWriter(const vtkCloudVDBWriter&) = delete;
   void operator=(const vtkCloudVDBWriter&) = delete;
 
+  std::vector<nephoscope::VoxelGrid> MakeGrids(vtkDataObject* data);
   void WriteData(vtkDataObject* data);
 
   char* FileName = nullptr;
