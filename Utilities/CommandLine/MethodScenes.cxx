@@ -56,7 +56,7 @@ private:
 
 vtkSmartPointer<vtkCloudscape> emptyScape(Dice& dice, int width, double height, double pitch)
 {
-  const auto scape = vtkSmartPointer<vtkCloudscape>::New();
+  auto scape = vtkSmartPointer<vtkCloudscape>::New();
   const vtkNew<vtkCamera> camera;
   const double turn = dice.between(-0.5, 0.5);
   camera->SetPosition(dice.between(-3000, 3000), dice.between(-3000, 3000), height);
@@ -74,7 +74,7 @@ vtkSmartPointer<vtkCloudscape> emptyScape(Dice& dice, int width, double height, 
 
 vtkSmartPointer<vtkCloudHeightFieldSource> clouds(Dice& dice, double height)
 {
-  const auto shape = vtkSmartPointer<vtkCloudHeightFieldSource>::New();
+  auto shape = vtkSmartPointer<vtkCloudHeightFieldSource>::New();
   shape->SetPlaneHeight(height);
   shape->SetCover(dice.between(0.25, 0.7));
   shape->SetWavelength(dice.between(1200, 2500));
@@ -134,8 +134,9 @@ MethodScene gridScene(Dice& dice, int width, bool colored)
   const auto scape = emptyScape(dice, width, dice.between(500, 2500), dice.between(-0.1, 0.1));
   const vtkNew<vtkImageData> grid;
   const int n = static_cast<int>(dice.between(14, 40));
-  grid->SetDimensions(n, n + 5, n / 2);
-  grid->SetSpacing(12000.0 / n, 12000.0 / n, 3000.0 / (n / 2));
+  const int levels = n / 2;
+  grid->SetDimensions(n, n + 5, levels);
+  grid->SetSpacing(12000.0 / n, 12000.0 / n, 3000.0 / levels);
   double eye[3];
   scape->GetCamera()->GetPosition(eye);
   grid->SetOrigin(eye[0] - 6000, eye[1] + 4000, 0);
