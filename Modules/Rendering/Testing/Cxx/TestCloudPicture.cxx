@@ -33,7 +33,7 @@ constexpr double Sigma = 0.7;
 /// Fog between (-1, -1, -1) and (1, 1, 1), of 4 x 3 x 5 points.
 vtkSmartPointer<vtkImageData> fog()
 {
-  const auto image = vtkSmartPointer<vtkImageData>::New();
+  auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(4, 3, 5);
   image->SetOrigin(-1, -1, -1);
   image->SetSpacing(2.0 / 3, 1, 0.5);
@@ -48,7 +48,7 @@ vtkSmartPointer<vtkImageData> fog()
 /// A triangle in the fog's middle, seen from -y.
 vtkSmartPointer<vtkPolyData> sail()
 {
-  const auto triangle = vtkSmartPointer<vtkPolyData>::New();
+  auto triangle = vtkSmartPointer<vtkPolyData>::New();
   const vtkNew<vtkPoints> points;
   points->InsertNextPoint(-1, 0, -1);
   points->InsertNextPoint(1, 0, -1);
