@@ -17,8 +17,10 @@
 using namespace sparse_testing;
 
 // A length that was mutated is an allocation that fails, not the end of the process.
+// NOLINTBEGIN(bugprone-reserved-identifier): the name that AddressSanitizer asks for
 extern "C" const char* __asan_default_options();
 extern "C" const char* __asan_default_options()
+// NOLINTEND(bugprone-reserved-identifier)
 {
   return "allocator_may_return_null=1";
 }
