@@ -112,7 +112,7 @@ protected:
     this->Scape->SetSize(16, 12);
     const vtkNew<vtkCloudHeightFieldSource> source;
     source->SetPlaneHeight(1000);
-    const auto clouds = vtkSmartPointer<vtkCloudHeightField>::New();
+    auto clouds = vtkSmartPointer<vtkCloudHeightField>::New();
     clouds->SetInputConnection(source->GetOutputPort());
     clouds->SetSunExtinction(extinction);
     clouds->SetViewExtinction(extinction);

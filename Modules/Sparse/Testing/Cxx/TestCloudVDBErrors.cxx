@@ -52,7 +52,7 @@ void save(const std::string& path, const openvdb::GridBase::Ptr& grid, bool stat
 openvdb::FloatGrid::Ptr smallFog()
 {
   openvdb::initialize();
-  const auto grid = openvdb::FloatGrid::create();
+  auto grid = openvdb::FloatGrid::create();
   grid->fill(openvdb::CoordBBox({ 1, 2, 3 }, { 9, 8, 7 }), 0.5F);
   grid->setName("density");
   grid->setGridClass(openvdb::GRID_FOG_VOLUME);
@@ -243,7 +243,8 @@ TEST(CloudVDBErrors, OrdersThatCannotBeWritten)
   extinction->SetName(nephoscope::arrays::Extinction);
   for (int p = 0; p < 24; ++p)
   {
-    points->InsertNextPoint(p % 3, p / 3 % 4, p / 12);
+    const int row = p / 3;
+    points->InsertNextPoint(p % 3, row % 4, row / 4);
     extinction->InsertNextValue(1);
   }
   grid->SetPoints(points);
