@@ -244,7 +244,8 @@ TEST(CloudVDBErrors, OrdersThatCannotBeWritten)
   for (int p = 0; p < 24; ++p)
   {
     const int row = p / 3;
-    points->InsertNextPoint(p % 3, row % 4, row / 4);
+    const int level = row / 4;
+    points->InsertNextPoint(p % 3, row % 4, level);
     extinction->InsertNextValue(1);
   }
   grid->SetPoints(points);
