@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VoxelTree.h"
 
-#include "Exponential.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -11,24 +9,12 @@ namespace nephoscope
 namespace
 {
 constexpr int Edge = VoxelTree::Edge;
-constexpr double ThinCell = 0.25; // optical depth up to which a cell is lit as one
+constexpr float MostDensity = 1e20F;                  // so that sums stay finite
 constexpr double GaussPoint = 0.57735026918962576451; // of two points, in half widths
 
 int floorDivide(int a, int b)
 {
   return a >= 0 ? a / b : -((-a + b - 1) / b);
-}
-
-/// 1 - exp(-x) up to ThinCell, by Taylor's series: 3e-7 of it at most is left out.
-double blockedByThin(double x)
-{
-  return x * (1 - x / 2 * (1 - x / 3 * (1 - x / 4 * (1 - x / 5))));
-}
-
-/// exp(-depth); in the dark, below 1e-6, nothing.
-double sunThrough(double depth)
-{
-  return depth < 14 ? exponential(-depth) : 0;
 }
 
 bool isFog(float value)
@@ -63,33 +49,6 @@ double VoxelTree::numberOfBlocks(const std::vector<Key>& origins)
     number *= 1.0 + high[c] - static_cast<double>(low[c]);
   }
   return number;
-}
-
-void VoxelLight::add(const double tau[2], const double sun[2])
-{
-  const double both = tau[0] + tau[1];
-  if (!(both > 0))
-  {
-    return;
-  }
-  if (both < ThinCell)
-  {
-    const double blocked = blockedByThin(both);
-    const double depth = (tau[0] * sun[0] + tau[1] * sun[1]) / both;
-    this->light += this->transmittance * blocked * sunThrough(depth);
-    this->transmittance *= 1 - blocked;
-    return;
-  }
-  // Sun's depths at both ends; the light is an integral of exponentials that does not fade away where a cell is opaque.
-  const double slope = (sun[1] - sun[0]) / (2 * GaussPoint);
-  const double middle = 0.5 * (sun[0] + sun[1]);
-  const double near = std::max(middle - slope, 0.0);
-  const double far = std::max(middle + slope, 0.0);
-  const double fade = both + far - near;
-  const double first = sunThrough(near);
-  this->light += this->transmittance * both *
-    (std::abs(fade) < 1e-4 ? first * (1 - 0.5 * fade) : (first - sunThrough(far + both)) / fade);
-  this->transmittance *= exponential(-both);
 }
 
 VoxelTree::VoxelTree(const std::vector<Key>& origins, const float* values)
@@ -231,7 +190,7 @@ void VoxelTree::fill(const std::vector<Key>& origins, const float* values)
               values[b * 512 + static_cast<std::size_t>((z * Edge + y) * Edge + x)];
             corners[((z + Edge * down[2]) * Corners + y + Edge * down[1]) * Corners + x +
               Edge * down[0]]
-              .density = isFog(value) ? value : 0.0F;
+              .density = isFog(value) ? std::min(value, MostDensity) : 0.0F;
           }
         }
       }
@@ -296,23 +255,6 @@ VoxelTree::Steps::Steps(const Vector3& from, const Vector3& direction, double t,
   }
 }
 
-VoxelTree::Corner VoxelTree::at(const Corner* corner, float x, float y, float z) const
-{
-  // Four floats of a row: density and sun's depth of two corners. Along y and z they go together.
-  const Corner* const rows[4] = { corner, corner + Corners, corner + Corners * Corners,
-    corner + Corners * Corners + Corners };
-  const float w[4] = { (1 - y) * (1 - z), y * (1 - z), (1 - y) * z, y * z };
-  float sum[4] = { 0, 0, 0, 0 };
-  for (int r = 0; r < 4; ++r)
-  {
-    sum[0] += w[r] * rows[r][0].density;
-    sum[1] += w[r] * rows[r][0].sunDepth;
-    sum[2] += w[r] * rows[r][1].density;
-    sum[3] += w[r] * rows[r][1].sunDepth;
-  }
-  return { sum[0] + x * (sum[2] - sum[0]), sum[1] + x * (sum[3] - sum[1]) };
-}
-
 template <class Visit>
 void VoxelTree::walkCells(std::size_t brick, const Vector3& origin, const Vector3& direction,
   double t0, double t1, const Visit& visit) const
@@ -373,184 +315,6 @@ double VoxelTree::depth(const Vector3& origin, const Vector3& direction, double 
       return true;
     });
   return sum;
-}
-
-void VoxelTree::shine(std::size_t brick, const Vector3& origin, const Vector3& direction, double t0,
-  double t1, double scale, VoxelLight& light) const
-{
-  this->walkCells(brick, origin, direction, t0, t1,
-    [&](const Corner* corner, const int at[3], double near, double far)
-    {
-      const double half = 0.5 * (far - near);
-      double tau[2];
-      double sun[2];
-      for (int n = 0; n < 2; ++n)
-      {
-        const double t = near + half * (n == 0 ? 1 - GaussPoint : 1 + GaussPoint);
-        const Corner here =
-          this->at(corner, static_cast<float>(origin[0] + direction[0] * t - at[0]),
-            static_cast<float>(origin[1] + direction[1] * t - at[1]),
-            static_cast<float>(origin[2] + direction[2] * t - at[2]));
-        tau[n] = scale * half * static_cast<double>(here.density);
-        sun[n] = scale * static_cast<double>(here.sunDepth);
-      }
-      light.add(tau, sun);
-    });
-}
-
-void VoxelTree::setSun(const Vector3& towardSun)
-{
-  this->TowardSun = towardSun;
-  this->SunAxis = 0;
-  for (int c = 1; c < 3; ++c)
-  {
-    this->SunAxis = std::abs(towardSun[c]) > std::abs(towardSun[this->SunAxis]) ? c : this->SunAxis;
-  }
-  const auto level = [this, &towardSun](std::uint32_t brick)
-  {
-    long long sum = 0;
-    for (int c = 0; c < 3; ++c)
-    {
-      sum += (towardSun[c] < 0 ? -1 : 1) *
-        static_cast<long long>(this->Origins[brick][static_cast<std::size_t>(c)]);
-    }
-    return sum;
-  };
-  this->Order.resize(this->Origins.size());
-  for (std::size_t b = 0; b < this->Order.size(); ++b)
-  {
-    this->Order[b] = static_cast<std::uint32_t>(b);
-  }
-  std::sort(this->Order.begin(), this->Order.end(),
-    [&level](std::uint32_t a, std::uint32_t b)
-    {
-      const long long la = level(a);
-      const long long lb = level(b);
-      return la != lb ? la > lb : a < b;
-    });
-  this->Waves.clear();
-  for (std::size_t b = 0; b < this->Order.size(); ++b)
-  {
-    if (b == 0 || level(this->Order[b]) != level(this->Order[b - 1]))
-    {
-      this->Waves.push_back(b);
-    }
-  }
-  this->Waves.push_back(this->Order.size());
-}
-
-/// From a corner of a brick toward the sun to a distance within it: the trapezoidal rule over the planes of corners across the sun's
-/// main axis, on which the density is bilinear; what remains after the last plane exactly.
-double VoxelTree::depthOverPlanes(std::size_t brick, const int corner[3], double exit) const
-{
-  constexpr int Stride[3] = { 1, Corners, Corners * Corners };
-  const Vector3& sun = this->TowardSun;
-  const int main = this->SunAxis;
-  const int others[2] = { (main + 1) % 3, (main + 2) % 3 };
-  const double step = 1 / std::abs(sun[main]);
-  const int planes = static_cast<int>(exit / step + 1e-9);
-  const Corner* const corners = this->Values.data() + brick * CornersOfBrick;
-  const Corner* at = corners + corner[0] + corner[1] * Stride[1] + corner[2] * Stride[2];
-  float sum = 0.5F * at->density;
-  float last = at->density;
-  const float slope[2] = { static_cast<float>(sun[others[0]] * step),
-    static_cast<float>(sun[others[1]] * step) };
-  for (int n = 1; n <= planes; ++n)
-  {
-    const int along = corner[main] + (sun[main] > 0 ? n : -n);
-    const float u = static_cast<float>(corner[others[0]]) + static_cast<float>(n) * slope[0];
-    const float v = static_cast<float>(corner[others[1]]) + static_cast<float>(n) * slope[1];
-    const int i = std::min(std::max(static_cast<int>(u), 0), Edge - 1);
-    const int j = std::min(std::max(static_cast<int>(v), 0), Edge - 1);
-    const float x = u - static_cast<float>(i);
-    const float y = v - static_cast<float>(j);
-    at = corners + along * Stride[main] + i * Stride[others[0]] + j * Stride[others[1]];
-    const Corner* const up = at + Stride[others[1]];
-    const float low = at->density + x * (at[Stride[others[0]]].density - at->density);
-    const float high = up->density + x * (up[Stride[others[0]]].density - up->density);
-    last = low + y * (high - low);
-    sum += last;
-  }
-  const double whole = step * static_cast<double>(sum - 0.5F * last);
-  const double done = planes * step;
-  if (exit - done < 1e-9 * step)
-  {
-    return whole;
-  }
-  const Key& key = this->Origins[brick];
-  const Vector3 point{ 1.0 * key[0] * Edge + corner[0], 1.0 * key[1] * Edge + corner[1],
-    1.0 * key[2] * Edge + corner[2] };
-  return whole + this->depthInBrick(brick, point, sun, done, exit);
-}
-
-/// The sun's depth that a brick has at a point on its face.
-double VoxelTree::sunDepthOn(std::size_t brick, const Vector3& point) const
-{
-  const Key& key = this->Origins[brick];
-  const Corner* corner = this->Values.data() + brick * CornersOfBrick;
-  float place[3];
-  for (int c = 0; c < 3; ++c)
-  {
-    const double x =
-      std::min(std::max(point[c] - key[static_cast<std::size_t>(c)] * Edge, 0.0), 1.0 * Edge);
-    const int at = std::min(static_cast<int>(x), Edge - 1);
-    place[c] = static_cast<float>(x - at);
-    corner += at * (c == 0 ? 1 : c == 1 ? Corners : Corners * Corners);
-  }
-  return static_cast<double>(this->at(corner, place[0], place[1], place[2]).sunDepth);
-}
-
-double VoxelTree::sunDepthFrom(std::size_t brick, const int corner[3]) const
-{
-  const Vector3& sun = this->TowardSun;
-  const Key& key = this->Origins[brick];
-  const Vector3 point{ 1.0 * key[0] * Edge + corner[0], 1.0 * key[1] * Edge + corner[1],
-    1.0 * key[2] * Edge + corner[2] };
-  double exit = std::numeric_limits<double>::infinity();
-  int side = 0;
-  for (int c = 0; c < 3; ++c)
-  {
-    const double t = sun[c] != 0 ? ((sun[c] > 0 ? Edge : 0) - corner[c]) / sun[c]
-                                 : std::numeric_limits<double>::infinity();
-    side = t < exit ? c : side;
-    exit = std::min(exit, t);
-  }
-  double sum = exit > 0 ? this->depthOverPlanes(brick, corner, exit) : 0;
-  Key next = key;
-  next[static_cast<std::size_t>(side)] += sun[side] > 0 ? 1 : -1;
-  const std::int32_t neighbour = this->find(next);
-  if (neighbour != None)
-  {
-    return sum + this->sunDepthOn(static_cast<std::size_t>(neighbour), point + exit * sun);
-  }
-  this->walk(point, sun, std::max(exit, 0.0), std::numeric_limits<double>::infinity(),
-    [&](std::size_t other, double near, double)
-    {
-      if (other == brick)
-      {
-        return true;
-      }
-      sum += this->sunDepthOn(other, point + near * sun);
-      return false;
-    });
-  return sum;
-}
-
-void VoxelTree::sweep(std::size_t place)
-{
-  const std::size_t brick = this->Order[place];
-  Corner* corner = this->Values.data() + brick * CornersOfBrick;
-  for (int z = 0; z < Corners; ++z)
-  {
-    for (int y = 0; y < Corners; ++y)
-    {
-      for (int x = 0; x < Corners; ++x, ++corner)
-      {
-        const int at[3] = { x, y, z };
-        corner->sunDepth = static_cast<float>(this->sunDepthFrom(brick, at));
-      }
-    }
-  }
 }
 
 double VoxelTree::sunDepth(const Vector3& point) const

@@ -17,7 +17,7 @@
  *          propagation, T what it lets through. The second term, as in vtkCloudHeightField, stands for light scattered often and
  *          from the sky. Optical depths are exact for the trilinear density; a ray ends where less than 1e-4 gets through.
  * Errors   no such arrays, bricks that lie too far apart, a singular matrix: vtkErrorMacro, nothing is drawn.
- * Cost     some 20 ns for each cell that a ray meets; the sweep 40 us a brick. 5.8 kB a brick. The same bits for any number of threads.
+ * Cost     some 10 ns for each cell that a ray meets; the sweep 10 us a brick. 5.8 kB a brick. The same bits for any number of threads.
  * Limits   light scattered more than once is not followed. Neighbouring translucent bodies mix within segments of optical depth 1/4 as
  *          uniform media do.
  * @sa vtkCloudVDBReader, nephoscope::VoxelTree
