@@ -119,7 +119,7 @@ struct HeightFieldUse
   const char* method;
   double step;
   double samples;
-  bool own; ///< a slice for each pixel
+  double spacing; ///< of slices, pixels; 0: one for each
 };
 
 void addOption(
@@ -131,48 +131,72 @@ void addOption(
     body->SetMethod(use.method);
     body->SetStep(use.step > 0 ? use.step : body->GetStep());
     body->SetSamplesPerWave(use.samples);
-    body->SetSlicePerPixel(use.own);
+    body->SetSliceSpacing(use.spacing);
   };
   part.options.push_back(std::move(option));
+}
+
+/// What the samples of a height field's slices are measured by.
+struct Waves
+{
+  double shortest; ///< m
+  double pixel;    ///< width of one at the clouds, over the shortest wave
+};
+
+std::string samplesText(double samples)
+{
+  return number(samples) + " samples of the shortest wave";
 }
 
 /// Samples of a slice: a number for each wave, or one for each pixel where a wave is not seen as wide as that.
 double samplesOf(const View& view, double wave, double samples, double far)
 {
   const double spacing = wave / samples;
-  const double growth = view.camera.isParallel() ? 0 : view.camera.pixel();
+  const double growth = view.camera.isParallel() ? 0 : view.camera.pixel() * 12 / samples;
   const double dense = growth > 0 ? std::min(far, spacing / growth) : far;
   return dense / spacing + (far > dense ? std::log(far / dense) / growth : 0);
 }
 
-void addMoments(
-  const View& view, vtkCloudHeightField* body, double wave, double distance, ScenePart& part)
+void addSharedSlices(
+  const View& view, vtkCloudHeightField* body, const Waves& waves, ScenePart& part)
+{
+  constexpr double samples = 12;
+  const double count = samplesOf(view, waves.shortest, samples, body->GetFarDistance());
+  for (const double spacing : { 0.8, 0.2, 0.05 })
+  {
+    SceneOption option;
+    option.name = "Moments, " + samplesText(samples) + ", slices shared by pixels, " +
+      number(spacing) + " apart";
+    option.model = "height field Moments shared";
+    option.work = { view.rays, 1.6 * view.camera.width() / spacing * count };
+    option.coarseness = spacing * waves.pixel;
+    addOption(part, body, option, { "Moments", 0, samples, spacing });
+  }
+}
+
+void addMoments(const View& view, vtkCloudHeightField* body, const Waves& waves, ScenePart& part)
 {
   const bool columns = !view.camera.isParallel() && view.camera.up()[2] > 1 - 1e-12;
   for (const double samples : { 6.0, 12.0, 36.0, 120.0 })
   {
-    const double count = samplesOf(view, wave, samples, body->GetFarDistance());
+    const double count = samplesOf(view, waves.shortest, samples, body->GetFarDistance());
     SceneOption option;
-    option.name = "Moments, " + number(samples) + " samples of the shortest wave";
+    option.name = "Moments, " + samplesText(samples);
     option.model = "height field Moments";
     option.work = { view.rays, (columns ? view.camera.width() : view.rays) * count };
-    option.coarseness = std::max(1 / samples, view.camera.footprint(distance) / wave);
-    addOption(part, body, option, { "Moments", 0, samples, true });
-    if (samples == 12 && !columns && !view.camera.isParallel())
-    {
-      option.name += ", slices shared by pixels";
-      option.model = "height field Moments shared";
-      option.work[1] = 2 * view.camera.width() * count;
-      option.coarseness = view.camera.footprint(distance) / wave;
-      addOption(part, body, option, { "Moments", 0, samples, false });
-    }
+    option.coarseness = std::max(1 / samples, waves.pixel);
+    addOption(part, body, option, { "Moments", 0, samples, 0 });
     if (samples == 12)
     {
       option.name = "Sexp1986";
       option.model = "height field Sexp1986";
       option.coarseness = 1;
-      addOption(part, body, option, { "Sexp1986", 0, samples, false });
+      addOption(part, body, option, { "Sexp1986", 0, samples, 0.8 });
     }
+  }
+  if (!columns && !view.camera.isParallel())
+  {
+    addSharedSlices(view, body, waves, part);
   }
 }
 
@@ -187,7 +211,8 @@ ScenePart heightFieldPart(const View& view, vtkCloudHeightField* body)
   const double high = field.height + std::min(field.above, far);
   const double path = view.lengthBetween(low, high, far, Infinite);
   ScenePart part{ "light in height-field clouds", {} };
-  addMoments(view, body, wave, view.distanceOf(low, high, far), part);
+  addMoments(
+    view, body, { wave, view.camera.footprint(view.distanceOf(low, high, far)) / wave }, part);
   for (const double depth : { 0.3, 0.1, 0.03, 0.01, 0.003 })
   {
     const double step = depth / std::max(density, 1e-12);
@@ -196,14 +221,14 @@ ScenePart heightFieldPart(const View& view, vtkCloudHeightField* body)
     option.model = "height field March";
     option.work = { view.rays, view.rays * path / step };
     option.coarseness = depth;
-    addOption(part, body, option, { "March", step, 12, true });
+    addOption(part, body, option, { "March", step, 12, 0 });
   }
   SceneOption exact;
   exact.name = "Exact";
   exact.model = "height field Exact";
   exact.work = { view.rays, view.rays * path / wave };
   exact.exact = true;
-  addOption(part, body, exact, { "Exact", 0, 12, true });
+  addOption(part, body, exact, { "Exact", 0, 12, 0 });
   const double depth = std::max(density, bounded(body->GetBackgroundExtinction())) *
     (field.above > 0 ? far + field.above + field.below : 0);
   const double g = std::abs(body->GetAsymmetry());
@@ -301,7 +326,7 @@ void addHazeMarch(
   {
     const double step = steps * unit * (shafts ? 1 : 0.1);
     SceneOption option;
-    option.name = "March, steps of " + number(step);
+    option.name = "March, steps of " + number(step) + " m";
     option.model = shafts ? "haze March" : "haze March without clouds";
     option.work = { view.rays, view.rays * path / step };
     if (shafts)
@@ -468,13 +493,13 @@ ScenePart surfacePart(const View& view, vtkCloudSurface* body)
 std::optional<ScenePart> shadowPart(const std::vector<vtkCloudBody*>& bodies)
 {
   vtkAlgorithm* shadow = nullptr;
-  double density = 0;
+  std::optional<double> density;
   std::vector<std::pair<vtkCloudBody*, int>> shaded;
   for (vtkCloudBody* const body : bodies)
   {
     if (auto* const clouds = vtkCloudHeightField::SafeDownCast(body))
     {
-      density = std::max(density, bounded(clouds->GetSunExtinction()));
+      density = std::max(density.value_or(0), bounded(clouds->GetSunExtinction()));
     }
     const int port = shadowPort(body);
     if (port >= 0)
@@ -502,8 +527,11 @@ std::optional<ScenePart> shadowPart(const std::vector<vtkCloudBody*>& bodies)
   part.options[0].name = "drawn";
   part.options[0].apply = [use] { use(true); };
   const Field field = fieldOf(shadow, 0).value_or(Field());
-  part.options.push_back(
-    leftOut(errorOfLeavingOut(density * (field.above + field.below), 1), [use] { use(false); }));
+  if (density) // else there are no clouds that say how dense they are
+  {
+    part.options.push_back(
+      leftOut(errorOfLeavingOut(*density * (field.above + field.below), 1), [use] { use(false); }));
+  }
   return part;
 }
 

@@ -14,9 +14,8 @@ namespace
 {
 constexpr double Pi = 3.141592653589793;
 constexpr double Steepest = 1e7;
-/// Distance of slices where they are widest apart, pixels. A pixel's ray is turned by half of it at most, which adds a tenth to the error
-/// that one sample a pixel has of itself.
-constexpr double SliceSpacing = 0.8;
+/// Where slices are closer, rad, roughAngle would displace pixels by more than a twentieth of their distance.
+constexpr double ClosestOfRough = 2e-4;
 
 double slopeOf(double up, double across)
 {
@@ -57,7 +56,7 @@ void forEach(std::size_t count, const F& f)
     });
 }
 
-/// atan2 to 1e-5 (Abramowitz and Stegun 4.4.49), a hundredth of the distance of slices and a tenth of the C library's time.
+/// atan2 to 1e-5 (Abramowitz and Stegun 4.4.49), little of the distance of slices and a tenth of the C library's time.
 double roughAngle(double y, double x)
 {
   const double a = std::abs(x);
@@ -71,13 +70,57 @@ double roughAngle(double y, double x)
   return y < 0 ? -angle : angle;
 }
 
+/// Azimuths and slopes of all pixels.
+struct PixelAzimuths
+{
+  double
+    toward; ///< azimuths are from this one, the middle of the picture: only one with the zenith or the nadir in it has a seam
+  std::vector<double> azimuths;
+  std::vector<double> slopes;
+  AzimuthRange all;
+
+  PixelAzimuths(const Camera& camera, bool rough)
+    : azimuths(static_cast<std::size_t>(camera.width()) * static_cast<std::size_t>(camera.height()))
+    , slopes(this->azimuths.size())
+  {
+    const Vector3& ahead = camera.forward();
+    const Vector3& middle = std::abs(ahead[2]) < 0.999 ? ahead : camera.up();
+    this->toward = std::atan2(middle[1], middle[0]);
+    const double cosine = std::cos(this->toward);
+    const double sine = std::sin(this->toward);
+    const auto width = static_cast<std::size_t>(camera.width());
+    std::vector<AzimuthRange> rows(static_cast<std::size_t>(camera.height()));
+    forEach(rows.size(),
+      [&](std::size_t y)
+      {
+        AzimuthRange& row = rows[y];
+        for (std::size_t x = 0; x < width; ++x)
+        {
+          const Vector3 d =
+            camera.ray(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5).direction;
+          const double across = std::sqrt(d[0] * d[0] + d[1] * d[1]);
+          const double left = d[1] * cosine - d[0] * sine;
+          const double along = d[0] * cosine + d[1] * sine;
+          const double angle = rough ? roughAngle(left, along) : std::atan2(left, along);
+          this->azimuths[y * width + x] = angle;
+          this->slopes[y * width + x] = slopeOf(d[2], across);
+          row.include({ angle, angle, across / std::max(1e-9, dot(d, ahead)) });
+        }
+      });
+    for (const AzimuthRange& row : rows)
+    {
+      this->all.include(row);
+    }
+  }
+};
+
 bool hasVerticalColumns(const Camera& camera)
 {
   return !camera.isParallel() && camera.up()[2] > 1 - 1e-12;
 }
 }
 
-SliceFan::SliceFan(const Camera& camera, bool own)
+SliceFan::SliceFan(const Camera& camera, double spacing)
   : Width(camera.width())
   , Height(camera.height())
 {
@@ -85,13 +128,9 @@ SliceFan::SliceFan(const Camera& camera, bool own)
   {
     this->perColumn(camera);
   }
-  else if (own || camera.isParallel())
+  else if (camera.isParallel() || !(spacing > 0) || !this->byAzimuth(camera, spacing))
   {
     this->perPixel(camera);
-  }
-  else
-  {
-    this->byAzimuth(camera);
   }
 }
 
@@ -133,54 +172,30 @@ void SliceFan::perPixel(const Camera& camera)
   this->Slices.push_back({ camera.eye(), 1, 0, this->Slots.size() });
 }
 
-void SliceFan::byAzimuth(const Camera& camera)
+bool SliceFan::byAzimuth(const Camera& camera, double spacing)
 {
-  // Azimuths are from the middle of the picture, so that only a picture with the zenith or the nadir in it has a seam.
-  const Vector3& ahead = camera.forward();
-  const Vector3& middle = std::abs(ahead[2]) < 0.999 ? ahead : camera.up();
-  const double toward = std::atan2(middle[1], middle[0]);
-  const double cosine = std::cos(toward);
-  const double sine = std::sin(toward);
-  const auto width = static_cast<std::size_t>(this->Width);
-  std::vector<double> azimuth(width * static_cast<std::size_t>(this->Height));
-  std::vector<double> slopes(azimuth.size());
-  std::vector<AzimuthRange> rows(static_cast<std::size_t>(this->Height));
-  forEach(rows.size(),
-    [&](std::size_t y)
-    {
-      AzimuthRange& row = rows[y];
-      for (std::size_t x = 0; x < width; ++x)
-      {
-        const Vector3 d =
-          camera.ray(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5).direction;
-        const double across = std::sqrt(d[0] * d[0] + d[1] * d[1]);
-        const double angle = roughAngle(d[1] * cosine - d[0] * sine, d[0] * cosine + d[1] * sine);
-        azimuth[y * width + x] = angle;
-        slopes[y * width + x] = slopeOf(d[2], across);
-        row.include({ angle, angle, across / std::max(1e-9, dot(d, ahead)) });
-      }
-    });
-  AzimuthRange all;
-  for (const AzimuthRange& row : rows)
+  const PixelAzimuths pixels(camera, spacing * camera.pixel() > ClosestOfRough);
+  const double angle = spacing * camera.pixel() / pixels.all.widest;
+  const double count = std::ceil((pixels.all.greatest - pixels.all.least) / angle) + 1;
+  if (!(count < static_cast<double>(pixels.azimuths.size())))
   {
-    all.include(row);
+    return false;
   }
-  const double spacing = SliceSpacing * camera.pixel() / all.widest;
-  const auto slices =
-    static_cast<std::uint32_t>(std::ceil((all.greatest - all.least) / spacing) + 1);
+  const auto slices = static_cast<std::uint32_t>(count);
   for (std::uint32_t s = 0; s <= slices; ++s)
   {
-    const double angle = toward + all.least + s * spacing;
-    this->Slices.push_back({ camera.eye(), std::cos(angle), std::sin(angle), 0 });
+    const double azimuth = pixels.toward + pixels.all.least + s * angle;
+    this->Slices.push_back({ camera.eye(), std::cos(azimuth), std::sin(azimuth), 0 });
   }
-  this->SliceOf.resize(azimuth.size());
-  forEach(azimuth.size(),
+  this->SliceOf.resize(pixels.azimuths.size());
+  forEach(this->SliceOf.size(),
     [&](std::size_t pixel)
     {
-      this->SliceOf[pixel] =
-        static_cast<std::uint32_t>(std::lround((azimuth[pixel] - all.least) / spacing));
+      this->SliceOf[pixel] = static_cast<std::uint32_t>(
+        std::lround((pixels.azimuths[pixel] - pixels.all.least) / angle));
     });
-  this->fill(slopes);
+  this->fill(pixels.slopes);
+  return true;
 }
 
 /// Counting sort of the pixels by slice, then each slice by slope.

@@ -28,8 +28,11 @@ struct PixelSlice
 class SliceFan
 {
 public:
-  /// @param own a slice for each pixel where columns are not vertical: exact, and as dear as rays one by one
-  explicit SliceFan(const Camera& camera, bool own = false);
+  /**
+   * @param spacing of slices where columns are not vertical, pixels where they are widest apart. Where that makes more slices than there are
+   * pixels, and for 0 and parallel views, each pixel has its own: exact, and as dear as rays one by one.
+   */
+  SliceFan(const Camera& camera, double spacing);
 
   std::size_t numberOfSlices() const { return this->Slices.size() - 1; }
   const PixelSlice& slice(std::size_t s) const { return this->Slices[s]; }
@@ -58,7 +61,8 @@ public:
 private:
   void perColumn(const Camera& camera);
   void perPixel(const Camera& camera);
-  void byAzimuth(const Camera& camera);
+  /// @return false, and nothing is done, if there would be more slices than pixels
+  bool byAzimuth(const Camera& camera, double spacing);
   void fill(const std::vector<double>& slopeOf);
 
   int Width;

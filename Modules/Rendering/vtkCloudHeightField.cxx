@@ -216,7 +216,7 @@ bool vtkCloudHeightField::Prepare(const nephoscope::Camera& camera)
     return false;
   }
   Drawn& drawn = *this->Ready;
-  drawn.Fan = std::make_unique<nephoscope::SliceFan>(camera, this->SlicePerPixel);
+  drawn.Fan = std::make_unique<nephoscope::SliceFan>(camera, this->SliceSpacing);
   drawn.FarDistance = this->FarDistance;
   // Half a pixel with the default of samples.
   drawn.Growth = camera.isParallel() ? 0 : camera.pixel() * 12 / this->SamplesPerWave;
@@ -311,7 +311,7 @@ void vtkCloudHeightField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SunFactor: " << this->SunFactor << '\n';
   os << indent << "ViewFactor: " << this->ViewFactor << '\n';
   os << indent << "Gain: " << this->Gain << '\n';
-  os << indent << "SlicePerPixel: " << this->SlicePerPixel << '\n';
+  os << indent << "SliceSpacing: " << this->SliceSpacing << '\n';
   os << indent << "SamplesPerWave: " << this->SamplesPerWave << '\n';
   os << indent << "LargestViewArgument: " << this->LargestViewArgument << '\n';
   os << indent << "LargestSunArgument: " << this->LargestSunArgument << '\n';

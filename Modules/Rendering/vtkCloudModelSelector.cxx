@@ -251,6 +251,19 @@ std::string vtkCloudModelSelector::Explain() const
   return out.str();
 }
 
+std::string vtkCloudModelSelector::GetTaken(const std::string& part) const
+{
+  const Internals& data = *this->Data;
+  for (std::size_t p = 0; p < data.Choice.options.size(); ++p)
+  {
+    if (data.Offered[p].name == part)
+    {
+      return data.Offered[p].options[data.Choice.options[p]].name;
+    }
+  }
+  return {};
+}
+
 std::vector<ScenePart> vtkCloudModelSelector::GetParts() const
 {
   return this->Data->Scape && this->Data->Scape->GetCamera()

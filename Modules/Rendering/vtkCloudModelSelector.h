@@ -18,7 +18,8 @@
  *          can): vtkErrorMacro, and all methods stay as they were.
  * Cost     milliseconds, and an evaluation of each point's extinction of a cell volume.
  * Limits   seconds are those of the machine of the calibration, with nothing else running on it. A part that is left out is
- *          judged by bounds that hold for any view, so that much stays in that cannot be seen.
+ *          judged by bounds that hold for any view, so that much stays in that cannot be seen. A shadow is taken to be of clouds with the
+ *          SunExtinction of the scene's vtkCloudHeightField; without one it stays.
  *          Bodies that it does not know are drawn as they are, and neither their time nor their error is counted.
  * @sa vtkCloudPictureCheck, nephoscope::MethodChoice, nephoscope::partsOf, Utilities/Doc/choosing.md
  */
@@ -78,6 +79,8 @@ public:
   vtkGetMacro(PredictedSeconds, double);
   /// A line for each part: what was taken, why, and what was not; and what was left out.
   std::string Explain() const;
+  /// The method that a part was given, "March, steps of 5 m" of "light in haze" say; empty if there is no such part.
+  std::string GetTaken(const std::string& part) const;
   ///@}
 
 #ifndef __VTK_WRAP__

@@ -24,6 +24,7 @@ const std::string OursColor = "#0b5fa5";
 const std::string PeerColor = "#6b6b6b";
 const std::string GridColor = "#dddddd";
 const std::string FrontColor = "#e08214";
+const std::string MarkColor = "#b2182b";
 
 bool drawable(const ChartPoint& p)
 {
@@ -234,8 +235,12 @@ private:
       return;
     }
     const auto at = this->place(p);
+    if (!p.mark.empty())
+    {
+      this->D.disc(at.first, at.second, Disc + 4, MarkColor, false);
+    }
     this->D.disc(at.first, at.second, Disc, p.ours ? OursColor : PeerColor, p.ours);
-    const double r = Disc + 2;
+    const double r = Disc + (p.mark.empty() ? 2 : 6);
     this->Taken.push_back({ at.first - r, at.second - r, at.first + r, at.second + r });
     this->Waiting.push_back(p);
   }
@@ -370,9 +375,11 @@ private:
     for (const ChartPoint& p : this->Waiting)
     {
       const double width = 4 +
-        std::max(SvgDrawing::widthOf(p.name, NameSize, p.ours),
-          SvgDrawing::widthOf(p.detail, DetailSize, false));
-      const double height = p.detail.empty() ? NameSize + 4 : NameSize + DetailSize + 8;
+        std::max({ SvgDrawing::widthOf(p.name, NameSize, p.ours),
+          SvgDrawing::widthOf(p.detail, DetailSize, false),
+          SvgDrawing::widthOf(p.mark, DetailSize, true) });
+      const double height = NameSize + 4 + (p.detail.empty() ? 0 : DetailSize + 4) +
+        (p.mark.empty() ? 0 : DetailSize + 4);
       const Box box = this->freeBox(p, width, height);
       const auto at = this->place(p);
       this->leader(
@@ -428,6 +435,12 @@ private:
     {
       this->D.text(
         x, baseline + DetailSize + 3, p.detail, { DetailSize, color, Anchor::Start, false, false });
+    }
+    if (!p.mark.empty())
+    {
+      const double below = DetailSize + 3;
+      this->D.text(x, baseline + (p.detail.empty() ? below : 2 * below), p.mark,
+        { DetailSize, MarkColor, Anchor::Start, true, false });
     }
   }
 

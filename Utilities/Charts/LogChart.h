@@ -23,6 +23,7 @@ struct ChartPoint
   std::string name;
   std::string detail; ///< settings, in small type below the name
   bool ours = false;
+  std::string mark = {}; ///< why it is marked by a ring, beside its name; empty if it is not
 };
 
 /// Points joined in order, named at the last.

@@ -56,35 +56,44 @@ double sizeOf(const Situation& s, Study::Kind kind)
                                          : static_cast<double>(s.cells());
 }
 
-const char* errorLabel(const std::string& group)
+/// Pictures are float.
+constexpr double Rounding = 1e-6;
+
+const char* errorLabel(const Study& study)
 {
-  return group == "contour"                    ? "RMS error of cloud fraction over the surface"
+  const std::string& group = study.group;
+  return study.kind == Study::Choices          ? "Error of radiance of 95 % of the pixels, relative"
+    : group == "contour"                       ? "RMS error of cloud fraction over the surface"
     : group == "advection"                     ? "RMS error of position, m of the scene"
     : group == "order" || group == "voxels"    ? "RMS error of radiance"
     : group == "scattering" || group == "haze" ? "Median relative error of light"
                                                : "RMS error of transmittance";
 }
 
-LogChart speedAndAccuracy(const Study& study, const std::vector<Measurement>& measured)
+LogChart speedAndAccuracy(const StudyResult& result)
 {
+  const Study& study = result.study;
   LogChart chart;
   chart.xLabel = "Time a run: median wall clock, after the first";
-  chart.yLabel = errorLabel(study.group);
+  chart.yLabel = errorLabel(study);
   chart.pareto = true;
-  for (const Measurement& m : measured)
+  // Errors of choices below the rounding of pictures are drawn at it.
+  const double least = study.kind == Study::Choices ? Rounding : 0;
+  for (const Measurement& m : result.measured)
   {
     const auto error = m.figures.find("error");
     if (m.leftOut.empty() && error != m.figures.end())
     {
-      chart.points.push_back(
-        { m.median(), error->second, m.method.name, settingsText(m.method), m.method.ours });
+      chart.points.push_back({ m.median(), std::max(error->second, least), m.method.name,
+        settingsText(m.method), m.method.ours, tolerancesOf(m.method, result.choices) });
     }
   }
   return chart;
 }
 
-LogChart growth(const Study& study, const std::vector<Measurement>& measured)
+LogChart growth(const StudyResult& result)
 {
+  const Study& study = result.study;
   LogChart chart;
   chart.xLabel = study.kind == Study::GrowthWithPixels ? "Pixels" : "Hexahedral cells";
   chart.yLabel = "Time a run: median wall clock";
@@ -94,7 +103,7 @@ LogChart growth(const Study& study, const std::vector<Measurement>& measured)
   for (const performance::Method& method : methodsOf(study.group))
   {
     ChartCurve curve;
-    for (const Measurement& m : measured)
+    for (const Measurement& m : result.measured)
     {
       if (m.leftOut.empty() && m.method.label() == method.label())
       {
@@ -107,12 +116,23 @@ LogChart growth(const Study& study, const std::vector<Measurement>& measured)
   return chart;
 }
 
-std::vector<Measurement> measureStudy(const Study& study, const ReportOptions& options)
+StudyResult measureStudy(const Study& study, const ReportOptions& options)
 {
-  std::vector<Measurement> all;
+  StudyResult result{ study, {}, {} };
+  std::vector<performance::Method> wanted;
+  if (study.kind == Study::Choices)
+  {
+    ChoiceStudy family = choiceStudy(study.group, study.situations.front());
+    wanted = std::move(family.methods);
+    result.choices = std::move(family.choices);
+  }
+  else
+  {
+    wanted = methodsOf(study.group);
+  }
   for (const Situation& s : study.situations)
   {
-    const auto some = performance::measure(methodsOf(study.group), s, study.effort,
+    const auto some = performance::measure(wanted, s, study.effort,
       [&](const std::string& what)
       {
         if (options.progress)
@@ -120,19 +140,20 @@ std::vector<Measurement> measureStudy(const Study& study, const ReportOptions& o
           options.progress(study.name + ", " + situationText(s) + ": " + what);
         }
       });
-    all.insert(all.end(), some.begin(), some.end());
+    result.measured.insert(result.measured.end(), some.begin(), some.end());
   }
-  return all;
+  return result;
 }
 
-void writeChart(
-  const Study& study, const std::vector<Measurement>& measured, const std::string& folder)
+void writeChart(const StudyResult& result, const std::string& folder)
 {
-  LogChart chart = study.kind == Study::SpeedAndAccuracy ? speedAndAccuracy(study, measured)
-                                                         : growth(study, measured);
-  chart.title = titleOf(study);
-  chart.subtitle = subtitleOf(study, measured);
-  writeChartFiles(chart, folder, study.name);
+  const Study::Kind kind = result.study.kind;
+  LogChart chart = kind == Study::SpeedAndAccuracy || kind == Study::Choices
+    ? speedAndAccuracy(result)
+    : growth(result);
+  chart.title = titleOf(result.study);
+  chart.subtitle = subtitleOf(result);
+  writeChartFiles(chart, folder, result.study.name);
 }
 }
 
@@ -156,7 +177,7 @@ std::vector<Study> studies(bool quick, int threads)
       situation(quick ? std::array<int, 3>{ 80, 40, 9 } : std::array<int, 3>{ 128, 96, 19 },
         { n, n * 3 / 4 }, threads));
   }
-  return {
+  std::vector<Study> all{
     { "contour", "contour", Study::SpeedAndAccuracy, grids({ grid }, picture, threads), accuracy },
     { "volume", "volume", Study::SpeedAndAccuracy, grids({ grid }, picture, threads), accuracy },
     { "order", "order", Study::SpeedAndAccuracy,
@@ -175,16 +196,27 @@ std::vector<Study> studies(bool quick, int threads)
     { "volume-cells", "volume", Study::GrowthWithCells, grids(sizes, picture, threads), growing },
     { "volume-pixels", "volume", Study::GrowthWithPixels, pictures, growing },
   };
+  for (const std::string& family : choiceFamilies())
+  {
+    if (!quick || family == "cells")
+    {
+      const std::array<int, 2> size =
+        quick ? std::array<int, 2>{ 64, 48 } : std::array<int, 2>{ 96, 72 };
+      all.push_back({ "choice-" + family, family, Study::Choices,
+        { situation({ 0, 0, 0 }, size, threads) }, { quick ? 2 : 5, quick ? 0.5 : 2.0, true } });
+    }
+  }
+  return all;
 }
 
 void writeReport(const ReportOptions& options)
 {
   makeFolder(options.folder);
-  std::vector<std::pair<Study, std::vector<Measurement>>> results;
+  std::vector<StudyResult> results;
   for (const Study& study : studies(options.quick, options.threads))
   {
-    results.emplace_back(study, measureStudy(study, options));
-    writeChart(study, results.back().second, options.folder);
+    results.push_back(measureStudy(study, options));
+    writeChart(results.back(), options.folder);
   }
   const std::filesystem::path folder(options.folder);
   writeText(folder / "chart.json", jsonText(results, options));

@@ -7,6 +7,7 @@
 #define Report_h
 
 #include "Benchmark.h"
+#include "ChoiceStudy.h"
 
 #include <functional>
 #include <string>
@@ -27,16 +28,24 @@ struct ReportOptions
 /// What is measured for one chart.
 struct Study
 {
-  std::string name; ///< of the files
-  std::string group;
+  std::string name;  ///< of the files
+  std::string group; ///< of performance::methods(), or a family of choiceFamilies()
   enum Kind
   {
     SpeedAndAccuracy, ///< error against time at one situation
     GrowthWithCells,  ///< time against cells
-    GrowthWithPixels  ///< time against pixels
+    GrowthWithPixels, ///< time against pixels
+    Choices           ///< error against time, with what is taken for tolerances
   } kind;
   std::vector<performance::Situation> situations;
   performance::Effort effort;
+};
+
+struct StudyResult
+{
+  Study study;
+  std::vector<performance::Measurement> measured;
+  std::vector<Choice> choices; ///< of Choices
 };
 
 /// The selection.

@@ -76,6 +76,19 @@ std::string figureText(const Measurement& m, const char* name)
   return found == m.figures.end() ? "" : digits("%.3g", found->second);
 }
 
+/// What is taken for each tolerance, and what cannot be reached.
+std::string choicesText(const std::vector<Choice>& choices)
+{
+  std::string text;
+  for (const Choice& choice : choices)
+  {
+    text += (text.empty() ? "" : "; ") + digits("%g", choice.tolerance) + ": " +
+      (choice.method.empty() ? "cannot be reached, " + digits("%.2g", choice.reachable) + " can"
+                             : choice.method);
+  }
+  return text;
+}
+
 std::string row(const std::vector<std::string>& cells, const char* tag)
 {
   std::string text = "<tr>";
@@ -135,12 +148,38 @@ std::string settingsText(const performance::Method& method)
 
 std::string situationText(const Situation& s)
 {
+  if (s.points[0] == 0)
+  {
+    return std::to_string(s.pixels[0]) + " x " + std::to_string(s.pixels[1]) + " pixels";
+  }
   return std::to_string(s.points[0]) + " x " + std::to_string(s.points[1]) + " x " +
     std::to_string(s.points[2]) + " points";
 }
 
+std::string optionText(const performance::Method& method)
+{
+  return method.name + (method.settings.empty() ? "" : ", " + settingsText(method));
+}
+
+std::string tolerancesOf(const performance::Method& method, const std::vector<Choice>& choices)
+{
+  std::string text;
+  for (const Choice& choice : choices)
+  {
+    if (choice.method == optionText(method))
+    {
+      text += (text.empty() ? "taken for " : ", ") + digits("%g", choice.tolerance);
+    }
+  }
+  return text;
+}
+
 std::string titleOf(const Study& study)
 {
+  if (study.kind == Study::Choices)
+  {
+    return titleOfFamily(study.group) + ": what is taken for a tolerance";
+  }
   const std::string what = study.group == "contour" ? "Contours of a gridded cloud field"
     : study.group == "advection"                    ? "A step of trajectories on a turning globe"
     : study.group == "order"                        ? "Orders of cells in volume pictures"
@@ -159,9 +198,21 @@ std::string titleOf(const Study& study)
   }
 }
 
-std::string subtitleOf(const Study& study, const std::vector<Measurement>& measured)
+std::string subtitleOf(const StudyResult& result)
 {
+  const Study& study = result.study;
   const Situation& s = study.situations.front();
+  if (study.kind == Study::Choices)
+  {
+    std::string text = situationText(s) + ", " + std::to_string(s.threads) +
+      " threads; below 1e-6 errors are rounding, and drawn there";
+    for (const Choice& choice : result.choices)
+    {
+      text +=
+        choice.method.empty() ? "; " + digits("%g", choice.tolerance) + " cannot be reached" : "";
+    }
+    return text;
+  }
   std::string text = study.kind == Study::GrowthWithCells ? "shell round a globe"
     : study.group == "voxels"                             ? situationText(s)
                                                           : situationText(s) + " round a globe";
@@ -182,7 +233,7 @@ std::string subtitleOf(const Study& study, const std::vector<Measurement>& measu
   text += ", " + std::to_string(s.threads) + (s.threads == 1 ? " thread" : " threads");
   std::size_t leftOut = 0;
   double load = 0;
-  for (const Measurement& m : measured)
+  for (const Measurement& m : result.measured)
   {
     leftOut += m.leftOut.empty() ? 0 : 1;
     load = std::max(load, m.load);
@@ -199,13 +250,20 @@ std::string jsonText(const Results& results, const ReportOptions& options)
   for (const auto& result : results)
   {
     Json measurements = Json::array();
-    for (const Measurement& m : result.second)
+    for (const Measurement& m : result.measured)
     {
       measurements.push_back(measurementJson(m));
     }
-    json["studies"].push_back({ { "name", result.first.name }, { "group", result.first.group },
-      { "runs", result.first.effort.runs }, { "secondsEach", result.first.effort.seconds },
-      { "measurements", measurements } });
+    const Study& study = result.study;
+    Json entry = { { "name", study.name }, { "group", study.group }, { "runs", study.effort.runs },
+      { "secondsEach", study.effort.seconds }, { "measurements", measurements } };
+    for (const Choice& choice : result.choices)
+    {
+      entry["choices"].push_back({ { "tolerance", choice.tolerance },
+        { "method", choice.method.empty() ? Json() : Json(choice.method) },
+        { "reachable", choice.reachable } });
+    }
+    json["studies"].push_back(entry);
   }
   return json.dump(2) + "\n";
 }
@@ -230,8 +288,11 @@ std::string pageText(const Results& results, const ReportOptions& options)
     "figures: <a href=\"chart.json\">chart.json</a>.</p>\n";
   for (const auto& result : results)
   {
-    page += "<h2>" + escaped(titleOf(result.first)) + "</h2>\n<img src=\"" + result.first.name +
-      ".svg\" alt=\"" + escaped(titleOf(result.first)) + "\">\n" + tableText(result.second);
+    const std::string title = escaped(titleOf(result.study));
+    page += "<h2>" + title + "</h2>\n<img src=\"" + result.study.name + ".svg\" alt=\"" + title +
+      "\">\n" +
+      (result.choices.empty() ? "" : "<p>" + escaped(choicesText(result.choices)) + ".</p>\n") +
+      tableText(result.measured);
   }
   return page + "</body>\n</html>\n";
 }

@@ -8,18 +8,20 @@
 
 #include "Report.h"
 
-#include <utility>
-
 namespace nephoscope
 {
 namespace charts
 {
-using Results = std::vector<std::pair<Study, std::vector<performance::Measurement>>>;
+using Results = std::vector<StudyResult>;
 
-std::string settingsText(const performance::Method& method);        ///< "merged, normals"
+std::string settingsText(const performance::Method& method); ///< "merged, normals"
+std::string optionText(
+  const performance::Method& method); ///< name and settings: "March, steps of 5 m"
 std::string situationText(const performance::Situation& situation); ///< "320 x 160 x 19 points"
 std::string titleOf(const Study& study);
-std::string subtitleOf(const Study& study, const std::vector<performance::Measurement>& measured);
+std::string subtitleOf(const StudyResult& result);
+/// "taken for 0.1, 0.01", or nothing.
+std::string tolerancesOf(const performance::Method& method, const std::vector<Choice>& choices);
 
 std::string jsonText(const Results& results, const ReportOptions& options);
 std::string pageText(const Results& results, const ReportOptions& options);

@@ -256,19 +256,18 @@ struct ExactPixels
       LeastTouched * static_cast<double>(check->GetPixels().size());
   }
 
-  void compare(vtkDataArray* drawn, TriedOption& tried) const
+  PictureErrors compare(vtkDataArray* drawn) const
   {
     std::vector<double> errors;
     for (std::size_t i = 0; i < this->pixels.size(); ++i)
     {
       errors.push_back(radianceError(drawn->GetTuple3(this->pixels[i]), &this->radiance[3 * i]));
     }
-    tried.error = quantile(errors, 0.95);
-    tried.largest = quantile(errors, 1);
+    return { quantile(errors, 0.95), quantile(errors, 1) };
   }
 };
+}
 
-/// What an option takes by the constants that are built in.
 double guessedSeconds(const SceneOption& option)
 {
   for (const MethodModel& model : vtkCloudModelSelector::GetModels())
@@ -280,6 +279,29 @@ double guessedSeconds(const SceneOption& option)
   }
   return Endless;
 }
+
+MethodScene methodScene(SceneKind kind, int seed, int width)
+{
+  Dice dice(seed);
+  switch (kind)
+  {
+    case SceneKind::CloudsFromBelow:
+    case SceneKind::CloudsFromAbove:
+      return cloudScene(dice, width, kind == SceneKind::CloudsFromBelow);
+    case SceneKind::HazeUnderClouds:
+    case SceneKind::ClearHaze:
+      return hazeScene(dice, width, kind == SceneKind::HazeUnderClouds);
+    default:
+      return gridScene(dice, width, kind == SceneKind::ColoredCells);
+  }
+}
+
+PictureErrors errorsOf(const MethodScene& scene, int pixels)
+{
+  double seconds = 0;
+  const vtkNew<vtkFloatArray> drawn;
+  drawn->DeepCopy(draw(scene.scape, seconds));
+  return ExactPixels(scene.scape, pixels).compare(drawn);
 }
 
 std::vector<MethodScene> methodScenes(int seed, int width)
@@ -329,7 +351,9 @@ std::vector<TriedOption> tryMethods(const MethodScene& scene, int pixels, int ru
       for (int run = 0; run < runs; ++run)
       {
         double seconds = 0;
-        exact.compare(draw(scene.scape, seconds), result);
+        const PictureErrors errors = exact.compare(draw(scene.scape, seconds));
+        result.error = errors.error95;
+        result.largest = errors.largest;
         result.seconds = std::min(result.seconds, seconds);
       }
       result.seconds = std::max(1e-6, result.seconds - exact.emptySeconds);

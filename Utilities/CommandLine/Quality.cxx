@@ -15,9 +15,7 @@
 
 namespace nephoscope::program
 {
-namespace
-{
-void calibrate(vtkCloudModelSelector* selector)
+void useCalibration(vtkCloudModelSelector* selector)
 {
   try
   {
@@ -27,7 +25,6 @@ void calibrate(vtkCloudModelSelector* selector)
   {
     note(std::string(error.what()) + "; until then methods are chosen by built-in constants");
   }
-}
 }
 
 std::string chooseMethods(const Quality& quality, vtkCloudscape* scape)
@@ -40,7 +37,7 @@ std::string chooseMethods(const Quality& quality, vtkCloudscape* scape)
   selector->SetCloudscape(scape);
   selector->SetTolerance(quality.tolerance.value_or(0));
   selector->SetSeconds(quality.seconds.value_or(0));
-  calibrate(selector);
+  useCalibration(selector);
   selector->Select();
   Messages::throwIfError("quality");
   return selector->Explain();

@@ -9,10 +9,14 @@
 
 #include "Scene.h"
 
+class vtkCloudModelSelector;
 class vtkCloudscape;
 
 namespace nephoscope::program
 {
+/// Give a selector the calibration `methods`; without one that can be read it keeps the built-in constants, which is said on standard error.
+void useCalibration(vtkCloudModelSelector* selector);
+
 /**
  * Give the bodies methods by the calibration `methods`; without one that can be read, by built-in constants, which is said on
  * standard error.

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ChoiceStudy.h"
 #include "LogChart.h"
+#include "MethodScenes.h"
+#include "Quality.h"
 #include "Report.h"
 #include "ReportText.h"
 #include "SvgDrawing.h"
+
+#include <vtkCloudModelSelector.h>
+#include <vtkNew.h>
+#include <vtkSMPTools.h>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +17,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 using namespace nephoscope::charts;
@@ -161,6 +169,89 @@ TEST_F(Scratch, PngErrorsSayWhere)
   }
 }
 
+// What is marked is what the selector takes, and is as exact as was asked for.
+TEST(ChoiceStudy, MarksWhatTheSelectorTakes)
+{
+  nephoscope::performance::Situation situation;
+  situation.pixels = { 36, 27 };
+  const ChoiceStudy study = choiceStudy("haze", situation);
+  ASSERT_EQ(study.choices.size(), 5U);
+  std::map<std::string, double> errors;
+  for (const auto& m :
+    nephoscope::performance::measure(study.methods, situation, { 1, 0, true }, {}))
+  {
+    ASSERT_EQ(m.leftOut, "") << m.method.label();
+    errors[optionText(m.method)] = m.figures.at("error");
+  }
+  const auto scene =
+    nephoscope::program::methodScene(nephoscope::program::SceneKind::HazeUnderClouds, 20001, 36);
+  vtkNew<vtkCloudModelSelector> selector;
+  selector->SetCloudscape(scene.scape);
+  nephoscope::program::useCalibration(selector);
+  double tolerance = 0.1;
+  for (const Choice& choice : study.choices)
+  {
+    EXPECT_DOUBLE_EQ(choice.tolerance, tolerance);
+    selector->SetTolerance(tolerance);
+    const auto select = [&selector] { EXPECT_TRUE(selector->Select()); };
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1, "Sequential", false }, select);
+    EXPECT_EQ(choice.method, selector->GetTaken("light in haze"));
+    ASSERT_EQ(errors.count(choice.method), 1U) << choice.method;
+    EXPECT_LE(errors[choice.method], tolerance) << choice.method;
+    tolerance /= 10;
+  }
+  EXPECT_NE(study.choices.front().method, study.choices.back().method);
+  EXPECT_EQ(selector->GetTaken("no such part"), "");
+}
+
+TEST(ChoiceStudy, FamiliesThatAreNoneAreRefused)
+{
+  try
+  {
+    choiceStudy("weather", {});
+    FAIL();
+  }
+  catch (const std::runtime_error& error)
+  {
+    EXPECT_STREQ(error.what(), "there is no family of methods 'weather'");
+  }
+}
+
+TEST(ReportText, TellsWhatCannotBeReached)
+{
+  StudyResult result;
+  result.study = { "choice-cells", "cells", Study::Choices, { {} }, {} };
+  nephoscope::performance::Measurement m;
+  m.method.name = "March";
+  m.method.settings = { { "steps of 5 m", "yes" } };
+  m.situation.points = { 0, 0, 0 };
+  result.measured = { m };
+  result.choices = { { 0.1, "March, steps of 5 m", 2e-3 }, { 0.01, "March, steps of 5 m", 2e-3 },
+    { 0.001, "", 2e-3 } };
+  EXPECT_EQ(tolerancesOf(m.method, result.choices), "taken for 0.1, 0.01");
+  const std::string page = pageText({ result }, {});
+  EXPECT_NE(page.find("0.01: March, steps of 5 m; 0.001: cannot be reached, 0.002 can."),
+    std::string::npos);
+  EXPECT_NE(subtitleOf(result).find("0.001 cannot be reached"), std::string::npos);
+  EXPECT_TRUE(nlohmann::json::parse(jsonText({ result }, {}))["studies"][0]["choices"][2]["method"]
+                .is_null());
+}
+
+TEST(LogChart, MarksAreRingsWithWords)
+{
+  LogChart chart;
+  chart.points = { { 1, 1, "plain", "", true }, { 10, 0.1, "marked", "", true, "taken for 0.1" } };
+  const std::string svg = drawChart(chart);
+  std::size_t discs = 0;
+  for (std::size_t at = svg.find("<circle"); at != std::string::npos;
+       at = svg.find("<circle", at + 1))
+  {
+    ++discs;
+  }
+  EXPECT_EQ(discs, 3U);
+  EXPECT_NE(svg.find(">taken for 0.1<"), std::string::npos);
+}
+
 TEST_F(Scratch, ReportHasEveryMethodOrSaysWhyNot)
 {
   ReportOptions options;
@@ -176,6 +267,7 @@ TEST_F(Scratch, ReportHasEveryMethodOrSaysWhyNot)
       std::filesystem::path(options.folder) / study["name"].get<std::string>();
     EXPECT_GT(std::filesystem::file_size(base.string() + ".svg"), 2000U);
     EXPECT_GT(std::filesystem::file_size(base.string() + ".png"), 2000U);
+    EXPECT_EQ(study.contains("choices"), study["name"] == "choice-cells") << study["name"];
     for (const auto& m : study["measurements"])
     {
       EXPECT_TRUE(m.contains("leftOut") || m["seconds"]["median"] > 0) << m.dump();

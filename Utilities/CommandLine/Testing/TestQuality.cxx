@@ -413,10 +413,64 @@ TEST_F(Choosing, VerificationSharesNothing)
   check->SetNumberOfPixels(60);
   ASSERT_TRUE(check->Check(this->Scape));
   EXPECT_LT(check->GetLargestError(), 1e-5);
-  clouds->SetSlicePerPixel(false);
+  clouds->SetSliceSpacing(0.8);
   this->Draw();
   ASSERT_TRUE(check->Check(this->Scape));
-  EXPECT_GT(check->GetLargestError(), 1e-3) << "pixels displaced by a quarter of their width";
+  EXPECT_GT(check->GetLargestError(), 1e-3) << "pixels displaced by up to 0.4 of their width";
+}
+
+// A pixel's displacement is in proportion to the distance of slices, and so is the error in the mean.
+TEST_F(Choosing, CloserSlicesDisplacePixelsLess)
+{
+  const auto clouds = this->AddClouds(0.02);
+  this->Scape->SetSize(96, 72);
+  this->Scape->GetCamera()->SetFocalPoint(0, 100, 360);
+  clouds->SetSamplesPerWave(100); // so that only displacements are left
+  clouds->SetSliceSpacing(0);
+  const std::vector<double> own = this->Draw();
+  const auto meanError = [&](double spacing)
+  {
+    clouds->SetSliceSpacing(spacing);
+    const std::vector<double> shared = this->Draw();
+    double all = 0;
+    for (std::size_t i = 0; i < own.size(); ++i)
+    {
+      all += std::abs(shared[i] - own[i]);
+    }
+    return all / static_cast<double>(own.size());
+  };
+  const double coarse = meanError(0.8);
+  EXPECT_GT(coarse, 1e-4);
+  EXPECT_NEAR(meanError(0.2) / coarse, 0.25, 0.1);
+  EXPECT_NEAR(meanError(0.05) / coarse, 0.0625, 0.03);
+  EXPECT_EQ(meanError(1e-9), 0) << "more slices than pixels: each has its own";
+}
+
+TEST_F(Choosing, SharedSlicesAreTakenWhereTheyAreGoodEnough)
+{
+  this->AddClouds(0.02);
+  this->Scape->SetSize(1024, 768);
+  this->Scape->GetCamera()->SetFocalPoint(0, 100, 360);
+  useCalibration(this->Selector);
+  const std::string part = "light in height-field clouds";
+  this->Selector->SetTolerance(0.05);
+  ASSERT_TRUE(this->Selector->Select());
+  EXPECT_THAT(this->Selector->GetTaken(part), HasSubstr("slices shared by pixels"));
+  this->Selector->SetTolerance(1e-3);
+  ASSERT_TRUE(this->Selector->Select());
+  EXPECT_THAT(this->Selector->GetTaken(part), Not(HasSubstr("slices shared by pixels")));
+}
+
+// Clouds that only cast a shadow do not say how dense they are.
+TEST_F(Choosing, ShadowsOfCloudsThatAreNotDrawnStay)
+{
+  const auto clouds = this->AddClouds(0.01);
+  this->Scape->RemoveAllBodies();
+  this->Scape->AddBody(this->Terrain);
+  this->Selector->SetTolerance(0.1);
+  ASSERT_TRUE(this->Selector->Select());
+  EXPECT_EQ(this->Selector->GetTaken("shadow of the clouds"), "drawn");
+  EXPECT_EQ(this->Terrain->GetInputUse(1), true);
 }
 
 TEST_F(Choosing, VerificationNeedsAPicture)
