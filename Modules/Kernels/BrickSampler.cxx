@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 
 namespace nephoscope
 {
@@ -24,7 +23,8 @@ struct BrickSampler::Linear
 {
   std::array<std::array<double, 4>, 4> Weight; ///< [corner]: constant, slopes
   std::array<double, 4> Root;                  ///< [corner]: -1 / slope along x
-  std::array<std::array<double, 4>, MostQuantities> Value;
+  int Corner[3];                               ///< the sample that the values count from
+  float Value[4][Many];                        ///< [at that sample, slopes][lane]
 };
 
 double linearMass(const std::array<Vector3, 4>& p, const std::array<double, 4>& values)
@@ -34,10 +34,11 @@ double linearMass(const std::array<Vector3, 4>& p, const std::array<double, 4>& 
 }
 
 BrickSampler::BrickSampler(
-  const VoxelFrame& frame, const std::array<int, 3>& samples, int quantities)
+  const VoxelFrame& frame, const std::array<int, 3>& samples, int quantities, int amongMet)
   : Frame(frame)
   , Samples(samples)
   , Quantities(quantities)
+  , AmongMet(amongMet)
 {
   for (int c = 0; c < 3; ++c)
   {
@@ -45,7 +46,7 @@ BrickSampler::BrickSampler(
     this->Step[c] = frame.spacing[c] / samples[c];
   }
   this->Values.resize(static_cast<std::size_t>(this->Count[0]) * this->Count[1] * this->Count[2] *
-    (static_cast<std::size_t>(quantities) + 1));
+    static_cast<std::size_t>(this->lanes()));
 }
 
 void BrickSampler::begin(const std::array<int, 3>& firstVoxel)
@@ -95,27 +96,58 @@ void BrickSampler::add(const std::array<Vector3, 4>& corners, const double* valu
     field.Weight[v] = { -dot(slope, base), slope[0], slope[1], slope[2] };
     field.Root[v] = slope[0] != 0 ? -1 / slope[0] : 0;
   }
-  for (int q = 0; q < this->Quantities; ++q)
-  {
-    for (int n = 0; n < 4; ++n)
-    {
-      double sum = 0;
-      for (int v = 0; v < 4; ++v)
-      {
-        sum += values[4 * q + v] * field.Weight[v][n];
-      }
-      field.Value[static_cast<std::size_t>(q)][n] = sum;
-    }
-  }
+  this->setValues(field, box, values);
   for (int z = box[2][0]; z <= box[2][1]; ++z)
   {
     for (int y = box[1][0]; y <= box[1][1]; ++y)
     {
-      this->fillRow(field, y, z, box[0]);
+      if (this->lanes() == Few)
+      {
+        this->fillRow<Few>(field, y, z, box[0]);
+      }
+      else
+      {
+        this->fillRow<Many>(field, y, z, box[0]);
+      }
     }
   }
 }
 
+/// In single precision: counted from a corner of the box, the values' rounding is that of those in the tetrahedron.
+void BrickSampler::setValues(Linear& field, const int box[3][2], const double* values) const
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    field.Corner[c] = box[c][0];
+  }
+  for (int q = 0; q < this->Quantities; ++q)
+  {
+    double sums[4] = { 0, 0, 0, 0 };
+    for (std::size_t v = 0; v < 4; ++v)
+    {
+      const auto& w = field.Weight[v];
+      const double at = w[0] + w[1] * box[0][0] + w[2] * box[1][0] + w[3] * box[2][0];
+      const double value = values[4 * static_cast<std::size_t>(q) + v];
+      sums[0] += value * at;
+      sums[1] += value * w[1];
+      sums[2] += value * w[2];
+      sums[3] += value * w[3];
+    }
+    for (int n = 0; n < 4; ++n)
+    {
+      field.Value[n][q] = static_cast<float>(sums[n]);
+    }
+  }
+  for (int lane = this->Quantities; lane < Many; ++lane)
+  {
+    for (int n = 0; n < 4; ++n)
+    {
+      field.Value[n][lane] = n == 0 && lane == this->Quantities ? 1.0F : 0.0F;
+    }
+  }
+}
+
+template <int Lanes>
 void BrickSampler::fillRow(const Linear& field, int y, int z, const int box[2])
 {
   double low = box[0];
@@ -145,68 +177,76 @@ void BrickSampler::fillRow(const Linear& field, int y, int z, const int box[2])
   const int last = static_cast<int>(high);
   int first = static_cast<int>(low);
   first += first < low ? 1 : 0;
-  const std::size_t plane = this->Values.size() / (static_cast<std::size_t>(this->Quantities) + 1);
-  float* row =
-    this->Values.data() + (static_cast<std::size_t>(z) * this->Count[1] + y) * this->Count[0];
-  for (int q = 0; q < this->Quantities; ++q, row += plane)
+  float start[Lanes];
+  const auto fromX = static_cast<float>(first - field.Corner[0]);
+  const auto fromY = static_cast<float>(y - field.Corner[1]);
+  const auto fromZ = static_cast<float>(z - field.Corner[2]);
+  const auto& v = field.Value;
+  for (int lane = 0; lane < Lanes; ++lane)
   {
-    const auto& v = field.Value[static_cast<std::size_t>(q)];
-    const double at0 = v[0] + v[2] * y + v[3] * z;
-    for (int x = first; x <= last; ++x)
-    {
-      row[x] = static_cast<float>(at0 + v[1] * x);
-    }
+    start[lane] = v[0][lane] + v[1][lane] * fromX + v[2][lane] * fromY + v[3][lane] * fromZ;
   }
-  for (int x = first; x <= last; ++x)
+  float* sample = this->Values.data() +
+    ((static_cast<std::size_t>(z) * this->Count[1] + y) * this->Count[0] + first) * Lanes;
+  for (int x = 0; x <= last - first; ++x, sample += Lanes)
   {
-    row[x] = 1;
+    for (int lane = 0; lane < Lanes; ++lane)
+    {
+      sample[lane] = start[lane] + v[1][lane] * static_cast<float>(x);
+    }
   }
 }
 
-/// Of each voxel's samples. Whole rows are added before they are cut into voxels.
-std::array<double, BrickSampler::Volume> BrickSampler::sums(int plane) const
+/// The samples of a layer of a voxel, 256 at most, are added in single precision, and the layers in double.
+template <int Lanes>
+void BrickSampler::averageLanes(float* means) const
 {
-  std::array<double, Volume> made{};
-  std::array<double, Edge * MostSamples> row{};
-  const std::size_t size = this->Values.size() / (static_cast<std::size_t>(this->Quantities) + 1);
-  const float* const values = this->Values.data() + static_cast<std::size_t>(plane) * size;
-  double* sum = made.data();
-  for (int voxelRow = 0; voxelRow < Edge * Edge; ++voxelRow)
+  const double all = this->Samples[0] * this->Samples[1] * this->Samples[2];
+  for (int voxel = 0; voxel < Volume; ++voxel)
   {
-    row.fill(0);
-    const int rows = this->Samples[1] * this->Samples[2];
-    for (int r = 0; r < rows; ++r)
+    const int x = voxel % Edge * this->Samples[0];
+    const int y = voxel / Edge % Edge * this->Samples[1];
+    const int z = voxel / (Edge * Edge) * this->Samples[2];
+    double sums[Lanes] = {};
+    for (int layer = 0; layer < this->Samples[2]; ++layer)
     {
-      const int y = voxelRow % Edge * this->Samples[1] + r % this->Samples[1];
-      const int z = voxelRow / Edge * this->Samples[2] + r / this->Samples[1];
-      const float* const from = values + (z * this->Count[1] + y) * this->Count[0];
-      for (int x = 0; x < this->Count[0]; ++x)
+      float sum[Lanes] = {};
+      for (int row = 0; row < this->Samples[1]; ++row)
       {
-        row[static_cast<std::size_t>(x)] += static_cast<double>(from[x]);
+        const float* sample = this->Values.data() +
+          (static_cast<std::size_t>((z + layer) * this->Count[1] + y + row) * this->Count[0] + x) *
+            Lanes;
+        for (int n = 0; n < this->Samples[0]; ++n, sample += Lanes)
+        {
+          for (int lane = 0; lane < Lanes; ++lane)
+          {
+            sum[lane] += sample[lane];
+          }
+        }
+      }
+      for (int lane = 0; lane < Lanes; ++lane)
+      {
+        sums[lane] += static_cast<double>(sum[lane]);
       }
     }
-    const double* sample = row.data();
-    for (int voxel = 0; voxel < Edge; ++voxel, ++sum, sample += this->Samples[0])
+    const double met = std::max(sums[this->Quantities], 1.0);
+    for (int q = 0; q < this->Quantities; ++q)
     {
-      *sum = std::accumulate(sample, sample + this->Samples[0], 0.0);
+      const double number = q < this->Quantities - this->AmongMet ? all : met;
+      means[q * Volume + voxel] = static_cast<float>(sums[q] / number);
     }
   }
-  return made;
 }
 
-void BrickSampler::average(int quantity, bool amongMet, float* means, int stride) const
+void BrickSampler::average(float* means) const
 {
-  const std::array<double, Volume> values = this->sums(quantity);
-  std::array<double, Volume> numbers{};
-  if (amongMet)
+  if (this->lanes() == Few)
   {
-    numbers = this->sums(this->Quantities);
+    this->averageLanes<Few>(means);
   }
-  const double all = this->Samples[0] * this->Samples[1] * this->Samples[2];
-  for (std::size_t voxel = 0; voxel < Volume; ++voxel)
+  else
   {
-    const double number = amongMet ? std::max(numbers[voxel], 1.0) : all;
-    means[voxel * static_cast<std::size_t>(stride)] = static_cast<float>(values[voxel] / number);
+    this->averageLanes<Many>(means);
   }
 }
 }

@@ -9,7 +9,8 @@
  * voxel over its volume. The error falls as the samples' distance over the cells' thickness; who needs the mass of a
  * tetrahedron exactly has linearMass.
  *
- * Quantities are interleaved; the last one may be asked for as a mean over those samples alone that were met (a wind).
+ * The last quantities may be asked for as means over those samples alone that were met (a wind). A sample's quantities lie side by side,
+ * with a 1 if it was met, so that they are found and added as vectors.
  *
  * Cost: some 100 ns a tetrahedron, a few ns a sample. One object a thread.
  * @sa TestBrickSampler.cxx, TetrahedralSplit.h
@@ -39,10 +40,12 @@ class BrickSampler
 public:
   static constexpr int Edge = 8;
   static constexpr int Volume = Edge * Edge * Edge;
-  static constexpr int MostQuantities = 8;
+  static constexpr int MostQuantities = 7;
 
-  /// @param samples along a voxel's edges, 1 to 16 each; @param quantities 1 to 8
-  BrickSampler(const VoxelFrame& frame, const std::array<int, 3>& samples, int quantities);
+  /// @param samples along a voxel's edges, 1 to 16 each; @param quantities 1 to 7; @param amongMet how many of them, the last ones, are
+  /// divided by the samples that were met, not by all
+  BrickSampler(
+    const VoxelFrame& frame, const std::array<int, 3>& samples, int quantities, int amongMet = 0);
 
   /// Begin the brick whose first voxel this is.
   void begin(const std::array<int, 3>& firstVoxel);
@@ -50,22 +53,28 @@ public:
   /// @param values of the corners: values[4 q + corner]. A tetrahedron without volume is nothing.
   void add(const std::array<Vector3, 4>& corners, const double* values);
 
-  /// The voxels' means of a quantity, x fastest, stride floats apart. @param amongMet divide by the samples that were met, not by all
-  void average(int quantity, bool amongMet, float* means, int stride) const;
+  /// The voxels' means: means[512 quantity + voxel], x fastest.
+  void average(float* means) const;
 
 private:
-  static constexpr int MostSamples = 16; ///< along an edge
+  static constexpr int Few = 4;  ///< lanes of a sample
+  static constexpr int Many = 8; ///< for more quantities
   struct Linear;
+  void setValues(Linear& field, const int box[3][2], const double* values) const;
+  template <int Lanes>
   void fillRow(const Linear& field, int y, int z, const int box[2]);
-  std::array<double, Volume> sums(int plane) const;
+  template <int Lanes>
+  void averageLanes(float* means) const;
+  int lanes() const { return this->Quantities < Few ? Few : Many; }
 
   VoxelFrame Frame;
   std::array<int, 3> Samples;
   std::array<int, 3> Count; ///< samples along the brick
   int Quantities;
+  int AmongMet;
   Vector3 First{ 0, 0, 0 }; ///< place of sample (0, 0, 0)
   Vector3 Step{ 0, 0, 0 };
-  std::vector<float> Values; ///< [quantity, then whether it was met][z][y][x]
+  std::vector<float> Values; ///< [z][y][x][quantity, then whether it was met, then nothing]
 };
 }
 #endif

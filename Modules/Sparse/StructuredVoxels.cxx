@@ -120,7 +120,8 @@ private:
   bool sample(const VoxelProgress& progress);
   double keep(std::size_t first, double cut, VoxelGrid& made) const;
   void conserve(std::size_t quantity, double sum, double cut, VoxelGrid& made) const;
-  std::vector<VoxelGrid> collect();
+  VoxelGrid gridOf(std::size_t quantity, std::size_t channel) const;
+  std::vector<VoxelGrid> collect() const;
   void addMass(const Corners& corners);
   void addCell(std::uint32_t cell, BrickSampler& sampler) const;
   void sampleBrick(std::size_t brick, BrickSampler& sampler);
@@ -128,7 +129,8 @@ private:
 
   VoxelOrder Order;
   std::vector<Quantity> Quantities;
-  int Channels = 0; ///< components of all
+  int Channels = 0;       ///< components of all
+  int VectorChannels = 0; ///< of vectors, which come last
   int Size[3] = {};
   std::vector<Vector3> Points;
   VoxelFrame Frame;
@@ -255,6 +257,7 @@ void Voxelizer::keepWanted()
     if (names.empty() || std::find(names.begin(), names.end(), quantity.name) != names.end())
     {
       this->Channels += quantity.components;
+      this->VectorChannels += quantity.components == 3 ? 3 : 0;
       wanted.push_back(std::move(quantity));
       masses.push_back(this->Masses[q]);
     }
@@ -322,15 +325,7 @@ void Voxelizer::sampleBrick(std::size_t brick, BrickSampler& sampler)
     this->addCell(this->Pairs[p].cell, sampler);
   }
   std::vector<float> made(static_cast<std::size_t>(this->Channels) * BrickSampler::Volume);
-  int channel = 0;
-  for (const Quantity& quantity : this->Quantities)
-  {
-    for (int c = 0; c < quantity.components; ++c, ++channel)
-    {
-      sampler.average(channel, quantity.components == 3,
-        made.data() + static_cast<std::size_t>(channel) * BrickSampler::Volume, 1);
-    }
-  }
+  sampler.average(made.data());
   if (std::any_of(made.begin(), made.end(), [](float value) { return value != 0; }))
   {
     this->Sampled[brick] = std::move(made);
@@ -355,7 +350,8 @@ bool Voxelizer::sample(const VoxelProgress& progress)
         auto& sampler = samplers.Local();
         if (!sampler)
         {
-          sampler = std::make_shared<BrickSampler>(this->Frame, this->Samples, this->Channels);
+          sampler = std::make_shared<BrickSampler>(
+            this->Frame, this->Samples, this->Channels, this->VectorChannels);
         }
         for (vtkIdType brick = begin; brick < end; ++brick)
         {
@@ -432,29 +428,36 @@ void Voxelizer::conserve(std::size_t quantity, double sum, double cut, VoxelGrid
     " samples, of what is linear in five tetrahedra a cell; times mass_factor";
 }
 
-std::vector<VoxelGrid> Voxelizer::collect()
+VoxelGrid Voxelizer::gridOf(std::size_t quantity, std::size_t channel) const
 {
   const Vector3& size = this->Frame.spacing;
-  std::vector<VoxelGrid> grids;
-  std::size_t channel = 0;
-  for (std::size_t q = 0; q < this->Quantities.size(); ++q)
+  const Quantity& from = this->Quantities[quantity];
+  VoxelGrid made;
+  made.name = from.name;
+  made.components = from.components;
+  made.indexToWorld = { size[0], 0, 0, 0, 0, size[1], 0, 0, 0, 0, size[2], 0, 0, 0, 0, 1 };
+  made.metadata.texts["units"] = from.units;
+  const double cut = from.components == 1 ? this->cutOf(quantity) : 0;
+  const double sum = this->keep(channel, cut, made);
+  if (from.components == 1)
   {
-    const Quantity& quantity = this->Quantities[q];
-    const std::size_t first = channel;
-    channel += static_cast<std::size_t>(quantity.components);
-    VoxelGrid made;
-    made.name = quantity.name;
-    made.components = quantity.components;
-    made.indexToWorld = { size[0], 0, 0, 0, 0, size[1], 0, 0, 0, 0, size[2], 0, 0, 0, 0, 1 };
-    made.metadata.texts["units"] = quantity.units;
-    const double cut = quantity.components == 1 ? this->cutOf(q) : 0;
-    const double sum = this->keep(first, cut, made);
-    if (quantity.components == 1)
-    {
-      this->conserve(q, sum, cut, made);
-    }
-    grids.push_back(std::move(made));
+    this->conserve(quantity, sum, cut, made);
   }
+  return made;
+}
+
+std::vector<VoxelGrid> Voxelizer::collect() const
+{
+  std::vector<std::size_t> channels;
+  std::size_t channel = 0;
+  for (const Quantity& quantity : this->Quantities)
+  {
+    channels.push_back(channel);
+    channel += static_cast<std::size_t>(quantity.components);
+  }
+  std::vector<VoxelGrid> grids(channels.size());
+  forEachGrid(grids.size(),
+    [this, &grids, &channels](std::size_t q) { grids[q] = this->gridOf(q, channels[q]); });
   return grids;
 }
 }

@@ -401,12 +401,13 @@ void writeVDB(const std::string& path, const std::vector<VoxelGrid>& grids,
   initialize();
   try
   {
-    openvdb::GridPtrVec made;
-    for (std::size_t g = 0; g < grids.size(); ++g)
-    {
-      made.push_back(grids[g].components == 1 ? makeGrid<openvdb::FloatGrid>(grids[g], options[g])
-                                              : makeGrid<openvdb::Vec3SGrid>(grids[g], options[g]));
-    }
+    openvdb::GridPtrVec made(grids.size());
+    forEachGrid(grids.size(),
+      [&](std::size_t g)
+      {
+        made[g] = grids[g].components == 1 ? makeGrid<openvdb::FloatGrid>(grids[g], options[g])
+                                           : makeGrid<openvdb::Vec3SGrid>(grids[g], options[g]);
+      });
     openvdb::MetaMap about;
     putMetadata(metadata, about);
     openvdb::io::File file(path);

@@ -6,8 +6,11 @@
 #ifndef VoxelGrid_h
 #define VoxelGrid_h
 
+#include "vtkSMPTools.h"
+
 #include <array>
 #include <cstddef>
+#include <exception>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -44,5 +47,34 @@ struct VoxelGrid
 
   std::size_t floatsPerBrick() const { return Volume * static_cast<std::size_t>(components); }
 };
+
+/// Calls work(grid) for each of several grids at once. What the first of them throws is thrown when all are done.
+template <class Work>
+void forEachGrid(std::size_t grids, const Work& work)
+{
+  std::vector<std::exception_ptr> thrown(grids);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(grids), 1,
+    [&work, &thrown](vtkIdType begin, vtkIdType end)
+    {
+      for (auto g = static_cast<std::size_t>(begin); g < static_cast<std::size_t>(end); ++g)
+      {
+        try
+        {
+          work(g);
+        }
+        catch (...)
+        {
+          thrown[g] = std::current_exception();
+        }
+      }
+    });
+  for (const std::exception_ptr& error : thrown)
+  {
+    if (error)
+    {
+      std::rethrow_exception(error);
+    }
+  }
+}
 }
 #endif

@@ -63,7 +63,7 @@ TEST(BrickSampler, TheMeanOfALinearFieldIsItsValueInTheMiddle)
     addBox(sampler, { middle, low[1] - 1, low[2] - 3 }, { high[0] + 1, high[1] + 1, high[2] + 4 },
       1, field);
     std::array<float, 512> means{};
-    sampler.average(0, false, means.data(), 1);
+    sampler.average(means.data());
     for (int v = 0; v < 512; ++v)
     {
       EXPECT_NEAR(means[static_cast<std::size_t>(v)], field(centre(first, v)), 1e-5);
@@ -92,7 +92,7 @@ TEST(BrickSampler, TheMassOfATetrahedronIsFoundAsSamplesGrow)
     sampler.begin({ 0, 0, 0 });
     sampler.add(corners, values);
     std::array<float, 512> means{};
-    sampler.average(0, false, means.data(), 1);
+    sampler.average(means.data());
     const double sum = std::accumulate(means.begin(), means.end(), 0.0);
     const double error = std::abs(sum * 0.5 * 0.25 * 2 / mass - 1);
     EXPECT_LT(error, last);
@@ -103,7 +103,7 @@ TEST(BrickSampler, TheMassOfATetrahedronIsFoundAsSamplesGrow)
 
 TEST(BrickSampler, AMeanAmongThoseMetIsThatOfThePartThatIsThere)
 {
-  BrickSampler sampler(Frame, { 4, 4, 4 }, 2);
+  BrickSampler sampler(Frame, { 4, 4, 4 }, 2, 1);
   sampler.begin({ 0, 0, 0 });
   const Vector3 low = Frame.origin - 0.5 * Frame.spacing;
   // The lower quarter of the first voxel, of a constant 6 and of a density 8.
@@ -118,12 +118,44 @@ TEST(BrickSampler, AMeanAmongThoseMetIsThatOfThePartThatIsThere)
     sampler.add(corners, values);
   }
   std::array<float, 1024> means{};
-  sampler.average(0, false, means.data(), 2);
-  sampler.average(1, true, means.data() + 1, 2);
+  sampler.average(means.data());
   EXPECT_NEAR(means[0], 2, 1e-6);
-  EXPECT_NEAR(means[1], 6, 1e-6);
-  EXPECT_EQ(means[2], 0);
-  EXPECT_EQ(means[3], 0);
+  EXPECT_NEAR(means[512], 6, 1e-6);
+  EXPECT_EQ(means[1], 0);
+  EXPECT_EQ(means[513], 0);
+}
+
+TEST(BrickSampler, AsManyQuantitiesAsThereCanBeDoNotMix)
+{
+  constexpr int Most = BrickSampler::MostQuantities;
+  BrickSampler sampler(Frame, { 2, 1, 3 }, Most, 3);
+  const std::array<int, 3> first{ 0, -8, 0 };
+  sampler.begin(first);
+  const Vector3 low = centre(first, 0) - 2.0 * Frame.spacing;
+  const Vector3 high = centre(first, 511) + 2.0 * Frame.spacing;
+  const auto field = [](int q, const Vector3& p)
+  { return q + p[q % 3] - 0.5 * q * p[(q + 1) % 3]; };
+  for (const TetrahedronVertices& t : TetrahedralSplit[1])
+  {
+    std::array<Vector3, 4> corners;
+    double values[4 * Most];
+    for (std::size_t v = 0; v < 4; ++v)
+    {
+      const int n = t[v];
+      corners[v] = { n & 1 ? high[0] : low[0], n & 2 ? high[1] : low[1], n & 4 ? high[2] : low[2] };
+      for (int q = 0; q < Most; ++q)
+      {
+        values[static_cast<std::size_t>(4 * q) + v] = field(q, corners[v]);
+      }
+    }
+    sampler.add(corners, values);
+  }
+  std::vector<float> means(512 * Most);
+  sampler.average(means.data());
+  for (int n = 0; n < 512 * Most; ++n)
+  {
+    EXPECT_NEAR(means[static_cast<std::size_t>(n)], field(n / 512, centre(first, n % 512)), 1e-4);
+  }
 }
 
 TEST(BrickSampler, WhatHasNoVolumeOrLiesElsewhereIsNothing)
@@ -136,7 +168,7 @@ TEST(BrickSampler, WhatHasNoVolumeOrLiesElsewhereIsNothing)
   const double nan = std::nan("");
   sampler.add({ { { nan, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } }, values);
   std::array<float, 512> means{};
-  sampler.average(0, false, means.data(), 1);
+  sampler.average(means.data());
   for (const float mean : means)
   {
     EXPECT_EQ(mean, 0);
