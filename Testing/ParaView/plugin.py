@@ -22,6 +22,10 @@ class PluginTest(unittest.TestCase):
 
     def setUp(self):
         simple.ResetSession()
+        self.listen()
+
+    def listen(self):
+        """From here on; what was said before is forgotten."""
         self.window = vtkStringOutputWindow()
         vtkOutputWindow.SetInstance(self.window)
 

@@ -20,6 +20,19 @@ def cumulus():
     return simple.CumulusClouds()
 
 
+def voxels():
+    file = str(plugin.FOLDER / "proxies.vdb")
+    simple.SaveData(file, proxy=reader())
+    return simple.CloudVDBReader(FileName=file)
+
+
+# Sources that need a file.
+OPEN = {"CloudNetCDFReader": reader, "CloudVDBReader": voxels}
+
+# What differs from the class on purpose: surfaces have less points, and ParaView has no use for bricks.
+OTHER_DEFAULTS = {("CloudHeightFieldSource", "Dimensions"), ("CloudVDBReader", "OutputForm")}
+
+
 # What each source and filter takes, and the array that its output must have.
 MADE = {
     "CloudNetCDFReader": (None, "CloudFraction"),
@@ -33,6 +46,7 @@ MADE = {
     "CloudTextureAdvection": (reader, "TextureCoordinates"),
     "CloudTimeInterpolator": (reader, "CloudFraction"),
     "CloudPicture": (reader, "DisplayColor"),
+    "CloudVDBReader": (None, "density"),
 }
 
 
@@ -41,7 +55,7 @@ def make(name, label):
     source = MADE[name][0]
     if source:
         return create(Input=source())
-    return reader() if name == "CloudNetCDFReader" else create()
+    return OPEN.get(name, create)()
 
 
 def values(text):
@@ -74,8 +88,8 @@ class Proxies(plugin.PluginTest):
             for child in properties(element) if kind else ():
                 getter = getattr(kind(), (child.get("command") or "").replace("Set", "Get", 1), None)
                 default = child.get("default_values")
-                surfaces = (element.get("name"), child.get("name")) == ("CloudHeightFieldSource", "Dimensions")
-                if getter and default and not child.get("repeat_command") and not surfaces:
+                other = (element.get("name"), child.get("name")) in OTHER_DEFAULTS
+                if getter and default and not child.get("repeat_command") and not other:
                     with self.subTest(element.get("name"), property=child.get("name")):
                         own = getter()
                         self.assertEqual(list(own) if isinstance(own, tuple) else [own], values(default))

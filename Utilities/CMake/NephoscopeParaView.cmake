@@ -16,7 +16,9 @@ paraview_plugin_build(
   DISABLE_XML_DOCUMENTATION ON)
 
 # The package nephoscope once more, for ParaView's Python.
-set(modules Nephoscope::CloudIO Nephoscope::CloudSources Nephoscope::CloudFilters Nephoscope::CloudRendering)
+set(modules Nephoscope::CloudIO Nephoscope::CloudSources Nephoscope::CloudFilters Nephoscope::CloudRendering
+  Nephoscope::CloudSparse)
+list(REMOVE_ITEM modules ${Nephoscope_REJECTED_MODULES} "")
 set(CMAKE_INSTALL_RPATH "$ORIGIN/../../../Nephoscope") # from the installed package to the plugin's libraries
 include(NephoscopePython)
 
