@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCloudFit.h"
 
+#include "CloudArrays.h"
+#include "FitDensity.h"
 #include "FitSubjects.h"
 
+#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
@@ -20,6 +26,7 @@ namespace
 {
 using nephoscope::Calibration;
 using nephoscope::Fit;
+using nephoscope::FitError;
 using nephoscope::FittedParameter;
 using nephoscope::RemainingError;
 
@@ -134,12 +141,89 @@ void fill(vtkTable* table, const Calibration& calibration)
   columns.Add<vtkStringArray>(
     "Warnings", [](const Fit& fit, const FittedParameter&) { return joined(fit.warnings); });
 }
+
+const char* const Density = "density";
+
+/// The coordinates along an axis of an image or a rectilinear grid; none of other data.
+std::vector<double> coordinatesOf(vtkDataObject* data, int axis)
+{
+  std::vector<double> all;
+  if (auto* const image = vtkImageData::SafeDownCast(data))
+  {
+    const int* const extent = image->GetExtent();
+    for (int i = extent[2 * axis]; i <= extent[2 * axis + 1]; ++i)
+    {
+      all.push_back(image->GetOrigin()[axis] + i * image->GetSpacing()[axis]);
+    }
+  }
+  else if (auto* const grid = vtkRectilinearGrid::SafeDownCast(data))
+  {
+    vtkDataArray* const arrays[] = { grid->GetXCoordinates(), grid->GetYCoordinates(),
+      grid->GetZCoordinates() };
+    for (vtkIdType i = 0; i < arrays[axis]->GetNumberOfTuples(); ++i)
+    {
+      all.push_back(arrays[axis]->GetComponent(i, 0));
+    }
+  }
+  return all;
 }
 
-vtkCloudFit::vtkCloudFit()
+std::vector<double> valuesOf(vtkDataArray* array)
 {
-  this->SetNumberOfInputPorts(0);
+  std::vector<double> values;
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    values.push_back(array->GetComponent(i, 0));
+  }
+  return values;
 }
+
+nephoscope::DensityGrid densityOf(vtkDataObject* input)
+{
+  auto* const data = vtkDataSet::SafeDownCast(input);
+  vtkDataArray* const extinction =
+    data ? data->GetPointData()->GetArray(nephoscope::arrays::Extinction) : nullptr;
+  std::array<std::vector<double>, 3> coordinates;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    coordinates[axis] = coordinatesOf(input, axis);
+  }
+  if (!extinction || extinction->GetNumberOfComponents() != 1 || coordinates[0].empty())
+  {
+    throw FitError(
+      std::string("density needs an input that is a vtkImageData or a vtkRectilinearGrid with "
+                  "the point array ") +
+      nephoscope::arrays::Extinction + " of one component, 1/m");
+  }
+  return { coordinates, valuesOf(extinction) };
+}
+
+/// Depths that occur, without those of rays that miss all cloud. None without an input.
+std::vector<double> depthsOf(vtkDataObject* input)
+{
+  if (!input)
+  {
+    return {};
+  }
+  auto* const table = vtkTable::SafeDownCast(input);
+  auto* const column = vtkDataArray::SafeDownCast(
+    table && table->GetNumberOfColumns() > 0 ? table->GetColumn(0) : nullptr);
+  if (!column || column->GetNumberOfComponents() != 1)
+  {
+    throw FitError("the input has to be a vtkTable whose first column is optical depths; only "
+                   "density takes a grid");
+  }
+  std::vector<double> depths = valuesOf(column);
+  depths.erase(std::remove(depths.begin(), depths.end(), 0.0), depths.end());
+  if (depths.empty())
+  {
+    throw FitError("the input has no optical depth above 0");
+  }
+  return depths;
+}
+}
+
+vtkCloudFit::vtkCloudFit() = default;
 
 vtkCloudFit::~vtkCloudFit() = default;
 
@@ -155,18 +239,27 @@ void vtkCloudFit::SetSubject(const char* subject)
 
 int vtkCloudFit::GetNumberOfSubjects()
 {
-  return static_cast<int>(nephoscope::fitSubjects().size());
+  return static_cast<int>(nephoscope::fitSubjects().size()) + 1;
 }
 
 const char* vtkCloudFit::GetSubjectName(int index)
 {
   const auto& all = nephoscope::fitSubjects();
-  return index >= 0 && index < static_cast<int>(all.size()) ? all[index].name.c_str() : nullptr;
+  const int count = static_cast<int>(all.size());
+  return index >= 0 && index < count ? all[index].name.c_str() : index == count ? Density : nullptr;
+}
+
+int vtkCloudFit::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
 }
 
 int vtkCloudFit::RequestData(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  vtkDataObject* const input = vtkDataObject::GetData(inputVector[0]);
   std::optional<nephoscope::FitRange> range;
   if (this->Range[0] != 0 || this->Range[1] != 0)
   {
@@ -179,9 +272,13 @@ int vtkCloudFit::RequestData(
   };
   try
   {
-    fill(vtkTable::GetData(outputVector), nephoscope::runFit(this->Subject, range, progress));
+    const Calibration calibration = this->Subject == Density
+      ? Calibration{ Density, {},
+          nephoscope::fitDensity(densityOf(input), { this->Tolerance, this->Terms }, progress) }
+      : nephoscope::runFit(this->Subject, range, progress, depthsOf(input));
+    fill(vtkTable::GetData(outputVector), calibration);
   }
-  catch (const nephoscope::FitError& error)
+  catch (const FitError& error)
   {
     vtkErrorMacro(<< error.what());
     return 0;
@@ -193,5 +290,7 @@ void vtkCloudFit::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Subject: " << this->Subject << '\n'
-     << indent << "Range: " << this->Range[0] << ' ' << this->Range[1] << '\n';
+     << indent << "Range: " << this->Range[0] << ' ' << this->Range[1] << '\n'
+     << indent << "Tolerance: " << this->Tolerance << '\n'
+     << indent << "Terms: " << this->Terms << '\n';
 }

@@ -16,7 +16,8 @@ import warnings
 import numpy as np
 
 import nephoscope as ns
-from vtkmodules.vtkCommonDataModel import vtkStructuredGrid
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkStructuredGrid
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkRenderingCore import vtkCamera
 
@@ -355,6 +356,63 @@ class Fits(Quiet):
     def test_refusals(self):
         self.assert_refused(ValueError, "subject='fog' is none of 'transmittance'", lambda: ns.fit("fog"))
         self.assert_refused(ns.CloudError, "range 3:1 is empty", lambda: ns.fit("phase", (3, 1)))
+
+    @unittest.skipUnless(WITH_FITS, "built without Ceres")
+    def test_a_column_that_is_a_gaussian_is_found(self):
+        height = np.arange(0, 2500, 40.0)
+        layer = 0.02 * np.exp(-0.5 * ((height - 1000) / 200) ** 2)
+        table = ns.fit("density", density=layer, at=(height,), tolerance=0.01)
+        first = {p: v for f, p, v in zip(table["Fit"], table["Parameter"], table["Value"]) if f == "Gaussian 1"}
+        self.assertAlmostEqual(first["a"], 0.02, delta=2e-4)
+        self.assertAlmostEqual(first["z"], 1000, delta=2)
+        self.assertAlmostEqual(abs(first["m22"]), 1 / 200, delta=1e-4)
+        self.assertNotIn("Gaussian 2", table["Fit"])
+
+    @unittest.skipUnless(WITH_FITS, "built without Ceres")
+    def test_a_volume_is_the_same_as_array_and_as_vtk_grid(self):
+        z, y, x = (np.linspace(0, 1000, n) for n in (7, 8, 9))
+        blob = 0.01 * np.exp(-0.5 * (((z[:, None, None] - 500) / 150) ** 2 + ((y[:, None] - 400) / 200) ** 2
+                                     + ((x - 600) / 250) ** 2))
+        table = ns.fit("density", density=blob, at=(z, y, x), tolerance=0.2)
+        first = {p: v for f, p, v in zip(table["Fit"], table["Parameter"], table["Value"]) if f == "Gaussian 1"}
+        for name, middle in (("x", 600), ("y", 400), ("z", 500)):
+            self.assertAlmostEqual(first[name], middle, delta=10)
+        image = vtkImageData()
+        image.SetDimensions(9, 8, 7)
+        image.SetSpacing(1000 / 8, 1000 / 7, 1000 / 6)
+        values = numpy_to_vtk(blob.ravel(), deep=True)
+        values.SetName("Extinction")
+        image.GetPointData().AddArray(values)
+        again = ns.fit("density", density=image, tolerance=0.2)
+        np.testing.assert_allclose(again["Value"], table["Value"], rtol=1e-6)
+
+    @unittest.skipUnless(WITH_FITS, "built without Ceres")
+    def test_depths_are_those_that_occur(self):
+        general, thin = ns.fit("transmittance"), ns.fit("transmittance", depths=np.linspace(0, 0.5, 400))
+        self.assertGreater(thin["Value"][0], general["Value"][0] + 0.1)
+        clouds = ns.open(SAMPLE, time=0, geometry="globe", exaggeration=10)
+        picture = ns.render(clouds, "volume", size=(64, 48), ground=False, samples=1)
+        green = picture.transmittance[..., 1]
+        seen = green[(green > 0) & (green < 1)]
+        drawn = ns.fit("transmittance", depths=picture)
+        self.assertEqual(drawn["TrainingCases"][0] + drawn["HeldOutCases"][0], seen.size)
+        same = ns.fit("transmittance", depths=-np.log(seen.astype(float)))
+        np.testing.assert_array_equal(drawn["Value"], same["Value"])
+
+    @unittest.skipUnless(WITH_FITS, "built without Ceres")
+    def test_arrays_that_do_not_fit_are_refused(self):
+        column, height = np.ones(4), np.arange(4.0)
+        for kind, message, call in (
+                (ValueError, "density is for 'density' and not for 'slab'", lambda: ns.fit("slab", density=column, at=(height,))),
+                (ValueError, "'density' needs density=", lambda: ns.fit("density")),
+                (ValueError, r"density is \(4,\) and at has \(\(3,\),\); give at=\(heights,\)",
+                 lambda: ns.fit("density", density=column, at=(height[:3],))),
+                (ValueError, r"give at=\(heights,\) for a column", lambda: ns.fit("density", density=column)),
+                (ns.CloudError, "the density of point 0 is -1", lambda: ns.fit("density", density=-column, at=(height,))),
+                (ns.CloudError, "the tolerance has to be above 0",
+                 lambda: ns.fit("density", density=column, at=(height,), tolerance=0)),
+                (ns.CloudError, "no optical depth above 0", lambda: ns.fit("transmittance", depths=np.zeros(9)))):
+            self.assert_refused(kind, message, call)
 
     @unittest.skipIf(WITH_FITS, "built with Ceres")
     def test_without_ceres_it_says_so(self):

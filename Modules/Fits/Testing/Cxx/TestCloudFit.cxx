@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCloudFit.h"
 
+#include "FitDensity.h"
 #include "vtkAbstractArray.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
+#include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkTable.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 using testing::HasSubstr;
@@ -68,6 +74,108 @@ TEST(CloudFit, SaysWhatIsWrong)
   const vtkNew<vtkCloudFit> empty;
   empty->SetRange(3, 3);
   EXPECT_THAT(errorOf(empty), HasSubstr("the range 3:3 is empty"));
+}
+
+namespace
+{
+/// A column of one Gaussian at uneven heights, 1/m; a layer of 200 m about 1 km.
+vtkSmartPointer<vtkRectilinearGrid> column()
+{
+  const vtkNew<vtkDoubleArray> heights;
+  const vtkNew<vtkDoubleArray> extinction;
+  extinction->SetName("Extinction");
+  for (double z = 0; z < 2500; z += 20 + z / 50)
+  {
+    heights->InsertNextValue(z);
+    extinction->InsertNextValue(0.02 * std::exp(-0.5 * std::pow((z - 1000) / 200, 2)));
+  }
+  const vtkNew<vtkDoubleArray> place;
+  place->InsertNextValue(0);
+  auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
+  grid->SetDimensions(1, 1, static_cast<int>(heights->GetNumberOfTuples()));
+  grid->SetXCoordinates(place);
+  grid->SetYCoordinates(place);
+  grid->SetZCoordinates(heights);
+  grid->GetPointData()->AddArray(extinction);
+  return grid;
+}
+
+double valueOf(vtkTable* table, const std::string& fit, const std::string& parameter)
+{
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    if (table->GetValueByName(row, "Fit").ToString() == fit &&
+      table->GetValueByName(row, "Parameter").ToString() == parameter)
+    {
+      return number(table, row, "Value");
+    }
+  }
+  return NAN;
+}
+}
+
+TEST(CloudFit, FindsTheGaussianThatAColumnIs)
+{
+  const vtkNew<vtkCloudFit> fit;
+  fit->SetSubject("density");
+  fit->SetInputData(column());
+  fit->SetTolerance(0.01);
+  EXPECT_EQ(errorOf(fit), "");
+  EXPECT_NEAR(valueOf(fit->GetOutput(), "Gaussian 1", "a"), 0.02, 2e-4);
+  EXPECT_NEAR(valueOf(fit->GetOutput(), "Gaussian 1", "z"), 1000, 2);
+  EXPECT_NEAR(std::abs(valueOf(fit->GetOutput(), "Gaussian 1", "m22")), 1.0 / 200, 1e-4);
+  EXPECT_TRUE(std::isnan(valueOf(fit->GetOutput(), "Gaussian 2", "a")));
+}
+
+TEST(CloudFit, TakesDepthsThatOccur)
+{
+  const vtkNew<vtkDoubleArray> depths;
+  for (int i = 0; i <= 400; ++i)
+  {
+    depths->InsertNextValue(0.5 * i / 400); // a thin cloud's
+  }
+  const vtkNew<vtkTable> table;
+  table->AddColumn(depths);
+  const vtkNew<vtkCloudFit> fit;
+  fit->SetInputData(table);
+  EXPECT_EQ(errorOf(fit), "");
+  // Of thin cloud only the slope at 0 matters, which is 1; over all x k is 0.718.
+  EXPECT_GT(number(fit->GetOutput(), 0, "Value"), 0.85);
+  EXPECT_EQ(
+    number(fit->GetOutput(), 0, "TrainingCases") + number(fit->GetOutput(), 0, "HeldOutCases"),
+    400);
+}
+
+TEST(CloudFit, RefusesInputsThatItCannotUse)
+{
+  const vtkNew<vtkCloudFit> density;
+  density->SetSubject("density");
+  EXPECT_THAT(errorOf(density), HasSubstr("density needs an input that is a vtkImageData"));
+  const vtkNew<vtkImageData> image;
+  image->SetDimensions(3, 4, 5);
+  density->SetInputData(image);
+  EXPECT_THAT(errorOf(density), HasSubstr("the point array Extinction of one component, 1/m"));
+  const vtkNew<vtkCloudFit> exact;
+  exact->SetSubject("density");
+  exact->SetInputData(column());
+  exact->SetTolerance(0);
+  EXPECT_THAT(errorOf(exact), HasSubstr("density: the tolerance has to be above 0"));
+  const vtkNew<vtkCloudFit> depths;
+  depths->SetInputData(column());
+  EXPECT_THAT(errorOf(depths), HasSubstr("a vtkTable whose first column is optical depths"));
+  const vtkNew<vtkDoubleArray> values;
+  values->InsertNextValue(0);
+  const vtkNew<vtkTable> table;
+  table->AddColumn(values);
+  depths->SetInputData(table);
+  EXPECT_THAT(errorOf(depths), HasSubstr("the input has no optical depth above 0"));
+  values->SetValue(0, NAN);
+  values->Modified();
+  table->Modified();
+  EXPECT_THAT(errorOf(depths), HasSubstr("depth"));
+  values->SetValue(0, 1);
+  depths->SetSubject("slab");
+  EXPECT_THAT(errorOf(depths), HasSubstr("the fit 'slab' takes no optical depths"));
 }
 
 // Abort ends the work after the first fit.
