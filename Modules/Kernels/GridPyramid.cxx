@@ -64,7 +64,7 @@ bool GridPyramid::contains(double x, double y) const
 double GridPyramid::valueOf(int level, double u, double v) const
 {
   const Level& samples = this->Levels[level];
-  const double width = std::ldexp(1.0, level);
+  const auto width = static_cast<double>(1LL << level);
   // A sample's middle is that of the points it is the mean of.
   u = std::clamp((u + 0.5) / width - 0.5, 0.0, samples.nx - 1.0);
   v = std::clamp((v + 0.5) / width - 0.5, 0.0, samples.ny - 1.0);

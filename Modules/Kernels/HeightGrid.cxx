@@ -28,26 +28,49 @@ double leastRoot(double a, double b, double c, double far)
   return least;
 }
 
-/// Cut [near, far] to where `from <= origin + t direction <= to`.
-void clip(double origin, double direction, double from, double to, double& near, double& far)
+/// Cut [near, far] to where `0 <= origin + t direction <= to`.
+void clip(double origin, double direction, double to, double& near, double& far)
 {
   if (direction == 0)
   {
-    far = origin >= from && origin <= to ? far : -Never;
+    far = origin >= 0 && origin <= to ? far : -Never;
     return;
   }
-  const double a = (from - origin) / direction;
+  const double a = -origin / direction;
   const double b = (to - origin) / direction;
   near = std::max(near, std::min(a, b));
   far = std::min(far, std::max(a, b));
 }
+
+/// Where a ray leaves the block of a cell along one axis; of the last block beyond the grid's edge, where the ray's own end is.
+double leaves(double origin, double direction, int level, int cell)
+{
+  const int block = (cell >> level) + (direction > 0 ? 1 : 0);
+  return direction == 0 ? Never : (static_cast<double>(block << level) - origin) / direction;
 }
 
-/// A ray whose horizontal places are counted in spacings from the grid's first point.
+/// The cell from `first` to before `last` that is nearest to a place.
+int cellAt(double place, int first, int last)
+{
+  return place > first ? static_cast<int>(std::min(place, last - 1.0)) : first;
+}
+}
+
+/// A ray whose horizontal places are counted in spacings from the grid's first point, and the part of it that is left.
 struct HeightGrid::Cast
 {
   double origin[3];
   double direction[3];
+  double near;
+  double far;
+};
+
+/// A cell, and the level of the block about it that is being looked at.
+struct HeightGrid::Place
+{
+  int level;
+  int i;
+  int j;
 };
 
 HeightGrid::HeightGrid(GridPyramid heights)
@@ -98,56 +121,69 @@ double HeightGrid::intersect(const Ray& ray, double far) const
     return Never;
   }
   const GridFrame& frame = this->Heights.frame();
-  const Cast cast{ { (ray.origin[0] - frame.x0) / frame.dx, (ray.origin[1] - frame.y0) / frame.dy,
-                     ray.origin[2] },
-    { ray.direction[0] / frame.dx, ray.direction[1] / frame.dy, ray.direction[2] } };
-  return this->visit(cast, static_cast<int>(this->Levels.size()) - 1, 0, 0, 0, far);
-}
-
-// NOLINTNEXTLINE(misc-no-recursion): as deep as there are levels
-double HeightGrid::visit(const Cast& cast, int level, int i, int j, double near, double far) const
-{
-  const Level& blocks = this->Levels[level];
-  if (i >= blocks.nx || j >= blocks.ny)
-  {
-    return Never;
-  }
-  const double width = std::ldexp(1.0, level);
   const Level& cells = this->Levels[0];
-  clip(cast.origin[0], cast.direction[0], i * width, std::min<double>((i + 1) * width, cells.nx),
-    near, far);
-  clip(cast.origin[1], cast.direction[1], j * width, std::min<double>((j + 1) * width, cells.ny),
-    near, far);
-  if (!(near <= far))
-  {
-    return Never;
-  }
-  const double lowest = cast.origin[2] +
-    (cast.direction[2] == 0 ? 0 : cast.direction[2] * (cast.direction[2] < 0 ? far : near));
-  if (lowest > blocks.highest[static_cast<std::size_t>(j) * blocks.nx + i])
-  {
-    return Never;
-  }
-  if (level == 0)
-  {
-    return this->patch(cast, i, j, near, far);
-  }
-  // The near block first, the far one last; of the two others a ray crosses one.
-  const int x = cast.direction[0] < 0 ? 1 : 0;
-  const int y = cast.direction[1] < 0 ? 1 : 0;
-  double first = Never;
-  for (const auto& child :
-    { std::pair(x, y), std::pair(1 - x, y), std::pair(x, 1 - y), std::pair(1 - x, 1 - y) })
-  {
-    first = std::min(first,
-      this->visit(
-        cast, level - 1, 2 * i + child.first, 2 * j + child.second, near, std::min(far, first)));
-  }
-  return first;
+  Cast cast{ { (ray.origin[0] - frame.x0) / frame.dx, (ray.origin[1] - frame.y0) / frame.dy,
+               ray.origin[2] },
+    { ray.direction[0] / frame.dx, ray.direction[1] / frame.dy, ray.direction[2] }, 0, far };
+  clip(cast.origin[0], cast.direction[0], cells.nx, cast.near, cast.far);
+  clip(cast.origin[1], cast.direction[1], cells.ny, cast.near, cast.far);
+  return cast.near <= cast.far ? this->descend(cast) : Never;
 }
 
-double HeightGrid::patch(const Cast& cast, int i, int j, double near, double far) const
+/// From block to block, finer where the ground may reach the ray, coarser where a coarser block begins.
+double HeightGrid::descend(Cast& cast) const
 {
+  const Level& cells = this->Levels[0];
+  Place at{ static_cast<int>(this->Levels.size()) - 1,
+    cellAt(cast.origin[0] + cast.near * cast.direction[0], 0, cells.nx),
+    cellAt(cast.origin[1] + cast.near * cast.direction[1], 0, cells.ny) };
+  while (at.i >= 0 && at.i < cells.nx && at.j >= 0 && at.j < cells.ny)
+  {
+    const Level& blocks = this->Levels[static_cast<std::size_t>(at.level)];
+    const double alongX = leaves(cast.origin[0], cast.direction[0], at.level, at.i);
+    const double alongY = leaves(cast.origin[1], cast.direction[1], at.level, at.j);
+    const double end = std::min({ alongX, alongY, cast.far });
+    const double lowest = cast.origin[2] +
+      (cast.direction[2] == 0 ? 0 : cast.direction[2] * (cast.direction[2] < 0 ? end : cast.near));
+    const bool isReached = !(lowest > blocks.at(at.i >> at.level, at.j >> at.level));
+    if (isReached && at.level > 0)
+    {
+      --at.level;
+      continue;
+    }
+    const double hit = isReached ? this->patch(cast, at.i, at.j, end) : Never;
+    if (hit < Never || end >= cast.far)
+    {
+      return hit;
+    }
+    cast.near = std::max(cast.near, end);
+    this->advance(cast, alongX <= alongY ? 0 : 1, at);
+  }
+  return Never;
+}
+
+/// To the next block along an axis.
+void HeightGrid::advance(const Cast& cast, int axis, Place& at) const
+{
+  int& along = axis == 0 ? at.i : at.j;
+  int& aside = axis == 0 ? at.j : at.i;
+  const int points = axis == 0 ? this->Levels[0].ny : this->Levels[0].nx;
+  const int width = 1 << at.level;
+  const int block = along >> at.level;
+  const int first = (aside >> at.level) << at.level;
+  along =
+    (cast.direction[axis] > 0 ? block + 1 : block) * width - (cast.direction[axis] > 0 ? 0 : 1);
+  aside = cellAt(cast.origin[1 - axis] + cast.near * cast.direction[1 - axis], first,
+    std::min(first + width, points));
+  if (at.level + 1 < static_cast<int>(this->Levels.size()) && along >> (at.level + 1) != block >> 1)
+  {
+    ++at.level;
+  }
+}
+
+double HeightGrid::patch(const Cast& cast, int i, int j, double far) const
+{
+  const double near = cast.near;
   const double a = this->Heights.at(i, j);
   const double b = this->Heights.at(i + 1, j) - a;
   const double c = this->Heights.at(i, j + 1) - a;

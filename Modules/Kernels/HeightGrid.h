@@ -4,8 +4,8 @@
  * @brief A ray's first hit on terrain: a solid block whose top is a height field, bilinear between the points of a grid.
  *
  * Blocks of 2^l x 2^l cells know their highest point; a ray descends, near blocks first, only into those that it passes
- * below that point, and meets the bilinear patches in closed form (a quadratic equation). Each block clips the ray itself, so
- * that no rounding of one block makes a gap before the next. The block's sides are vertical walls at the grid's edge.
+ * below that point, and meets the bilinear patches in closed form (a quadratic equation). It goes on from block to neighbouring
+ * block by whole numbers, so that no rounding makes a gap between two. The sides are vertical walls at the grid's edge.
  * An eye below the ground sees it at distance 0.
  *
  * Cost: about log2 of the number of points for a ray; thread-safe.
@@ -43,10 +43,16 @@ private:
     int nx;
     int ny;
     std::vector<float> highest;
+    float at(int i, int j) const
+    {
+      return this->highest[static_cast<std::size_t>(j) * this->nx + i];
+    }
   };
   struct Cast;
-  double visit(const Cast& cast, int level, int i, int j, double near, double far) const;
-  double patch(const Cast& cast, int i, int j, double near, double far) const;
+  struct Place;
+  double descend(Cast& cast) const;
+  void advance(const Cast& cast, int axis, Place& at) const;
+  double patch(const Cast& cast, int i, int j, double far) const;
 
   GridPyramid Heights;
   std::vector<Level> Levels; // 0 is that of cells
