@@ -13,6 +13,7 @@
 #ifndef FractalNoise_h
 #define FractalNoise_h
 
+#include <cstddef>
 #include <cstdint>
 
 namespace nephoscope
@@ -41,6 +42,12 @@ struct NoiseOctaves
   std::uint32_t seed = 1;
 
   Noise operator()(double x, double y, double footprint = 0) const;
+  /// The same without derivatives, in less time.
+  double value(double x, double y, double footprint = 0) const;
+
+private:
+  template <class Add>
+  void forEach(double footprint, const Add& add) const;
 };
 
 /**
@@ -61,8 +68,8 @@ struct FractalHills
   int octaves = 10;
   std::uint32_t seed = 1;
 
-  /// m. Precondition: |x|, |y| < 2^31 wavelengths of the last octave.
-  double height(double x, double y) const;
+  /// Heights at places (x + i spacing, y), i from 0 to count - 1, m. Precondition: they are within 2^30 wavelengths of the last octave.
+  void row(double x, double y, double spacing, std::size_t count, float* heights) const;
 };
 }
 #endif

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HazeShafts.h"
 
+#include "ArcTangent.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -188,6 +190,7 @@ Channels HazeShafts::glow(
   {
     return light;
   }
+  const Heading heading = method == HazeMethod::Moments ? this->headingOf(ray) : Heading{};
   for (int c = 0; c < 3; ++c)
   {
     const Track track = this->trackOf(ray, stretch, this->Extinction[c]);
@@ -196,7 +199,7 @@ Channels HazeShafts::glow(
       light[c] = this->Extinction[c] *
         (method == HazeMethod::March      ? this->march(track, step)
             : method == HazeMethod::Exact ? this->exact(track)
-            : this->Radials > 0           ? this->moments(track)
+            : this->Radials > 0           ? this->moments(track, heading)
                                           : this->exact(track));
     }
   }
@@ -259,13 +262,22 @@ HazeShafts::Moments HazeShafts::momentsTo(int radial, double r) const
   return sum;
 }
 
-double HazeShafts::moments(const Track& track) const
+HazeShafts::Heading HazeShafts::headingOf(const Ray& ray) const
+{
+  const double steep = ray.direction[2] / this->TowardSun[2];
+  const double dx = ray.direction[0] - steep * this->TowardSun[0];
+  const double dy = ray.direction[1] - steep * this->TowardSun[1];
+  return { std::sqrt(dx * dx + dy * dy) / this->Sample,
+    (arcTangent(dy, dx) / (2 * Pi) + 1) * this->Radials };
+}
+
+double HazeShafts::moments(const Track& track, const Heading& heading) const
 {
   const double near = track.near;
   const double e = track.decay;
   const int pieces = 1 + static_cast<int>(2 * std::abs(e) * (track.far - near));
   const double half = (track.far - near) / (2 * pieces);
-  const double speed = std::hypot(track.dx, track.dy) / this->Sample; // samples a scene unit
+  const double speed = heading.speed;
   if (!(2 * half * speed > Shortest))
   {
     return this->exact(track); // a look at the sun or a thick fog, which cross few grid lines
@@ -273,7 +285,7 @@ double HazeShafts::moments(const Track& track) const
   // int (t - middle)^k exp(-e (t - middle)) by the quadratic that is nearest to the exponential.
   const double x2 = half * e * half * e;
   const double q[3] = { 1, -e * (1 + x2 / 8) / speed, e * e / (2 * speed * speed) };
-  const double turn = (std::atan2(track.dy, track.dx) / (2 * Pi) + 1) * this->Radials;
+  const double turn = heading.turn;
   const double share = turn - std::floor(turn);
   double light = 0;
   for (int side = 0; side < 2; ++side)

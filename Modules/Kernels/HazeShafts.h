@@ -89,11 +89,18 @@ private:
   {
     double m[3];
   };
+  /// Of a ray's track on the raster.
+  struct Heading
+  {
+    double speed; ///< samples a scene unit
+    double turn;  ///< radials round from the first, Radials / 2 to 3 / 2 Radials
+  };
+  Heading headingOf(const Ray& ray) const;
   struct Track;
   Track trackOf(const Ray& ray, const Stretch& stretch, double tau) const;
   double exact(const Track& track) const;
   double march(const Track& track, double step) const;
-  double moments(const Track& track) const;
+  double moments(const Track& track, const Heading& heading) const;
   double cover(const Track& track, double t) const;
   Moments momentsTo(int radial, double r) const;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Exponential.h"
 #include "HeightFieldMethods.h"
+#include "WideLoops.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +39,8 @@ Cubic in(const Cubic& c, double scale, double shift)
 }
 
 /// G = exp(-rhoA g) for the two Gauss points of each step.
-void transmitted(const SampleBlock& block, double sun, double twoC, double* left, double* right)
+NEPHOSCOPE_WIDE void transmitted(
+  const SampleBlock& block, double sun, double twoC, double* left, double* right)
 {
   constexpr double X = 0.21132486540518712; // (1 - 1 / sqrt 3) / 2
   // Hermite weights of the nearer and the farther value and slope.

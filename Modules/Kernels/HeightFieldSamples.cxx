@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HeightFieldSamples.h"
 
+#include "WideLoops.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +22,7 @@ struct WaveValue
 /// Adds what is left of a wave to F and dF/dr: `first` at the block's start, `last` at its end. `shape` makes its value of the sine and
 /// cosine of its argument.
 template <class Shape>
-inline void addWave(
+[[gnu::always_inline]] inline void addWave(
   const SampledWave& wave, double first, double last, SampleBlock& block, const Shape& shape)
 {
   const double step = (last - first) / Steps;
@@ -36,7 +38,7 @@ inline void addWave(
   }
 }
 
-void add(const SampledWave& wave, double first, double last, SampleBlock& block)
+NEPHOSCOPE_WIDE void add(const SampledWave& wave, double first, double last, SampleBlock& block)
 {
   switch (wave.shape)
   {

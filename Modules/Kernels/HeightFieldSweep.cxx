@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HeightFieldSweep.h"
 
+#include "WideLoops.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +13,7 @@ namespace
 constexpr int Steps = SampleBlock::Steps;
 constexpr int MostBlocks = 1 << 14; ///< a million samples
 
-void boundsOf(
+NEPHOSCOPE_WIDE void boundsOf(
   const SampleBlock& block, const HeightFieldShape& shape, double eye, SampleBounds& bounds)
 {
   const double c2 = shape.c * shape.c;

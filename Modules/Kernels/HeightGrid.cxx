@@ -10,6 +10,8 @@ namespace nephoscope
 namespace
 {
 constexpr double Never = std::numeric_limits<double>::infinity();
+/// Where rays begin: blocks of 16 x 16 cells. Larger ones hold a hill nearly always.
+constexpr int FirstLevel = 4;
 
 /// The least root of a t^2 + b t + c in [0, far], c > 0; infinity if there is none.
 double leastRoot(double a, double b, double c, double far)
@@ -43,10 +45,10 @@ void clip(double origin, double direction, double to, double& near, double& far)
 }
 
 /// Where a ray leaves the block of a cell along one axis; of the last block beyond the grid's edge, where the ray's own end is.
-double leaves(double origin, double direction, int level, int cell)
+double leaves(double origin, double inverse, int level, int cell)
 {
-  const int block = (cell >> level) + (direction > 0 ? 1 : 0);
-  return direction == 0 ? Never : (static_cast<double>(block << level) - origin) / direction;
+  const int block = (cell >> level) + (inverse > 0 ? 1 : 0);
+  return inverse == 0 ? Never : (static_cast<double>(block << level) - origin) * inverse;
 }
 
 /// The cell from `first` to before `last` that is nearest to a place.
@@ -61,6 +63,7 @@ struct HeightGrid::Cast
 {
   double origin[3];
   double direction[3];
+  double inverse[2]; ///< of the horizontal directions; 0 of 0
   double near;
   double far;
 };
@@ -122,11 +125,17 @@ double HeightGrid::intersect(const Ray& ray, double far) const
   }
   const GridFrame& frame = this->Heights.frame();
   const Level& cells = this->Levels[0];
+  const double dx = ray.direction[0] / frame.dx;
+  const double dy = ray.direction[1] / frame.dy;
   Cast cast{ { (ray.origin[0] - frame.x0) / frame.dx, (ray.origin[1] - frame.y0) / frame.dy,
                ray.origin[2] },
-    { ray.direction[0] / frame.dx, ray.direction[1] / frame.dy, ray.direction[2] }, 0, far };
+    { dx, dy, ray.direction[2] }, { dx != 0 ? 1 / dx : 0, dy != 0 ? 1 / dy : 0 }, 0, far };
   clip(cast.origin[0], cast.direction[0], cells.nx, cast.near, cast.far);
   clip(cast.origin[1], cast.direction[1], cells.ny, cast.near, cast.far);
+  if (ray.direction[2] > 0)
+  {
+    cast.far = std::min(cast.far, (this->top() - ray.origin[2]) / ray.direction[2]);
+  }
   return cast.near <= cast.far ? this->descend(cast) : Never;
 }
 
@@ -134,14 +143,14 @@ double HeightGrid::intersect(const Ray& ray, double far) const
 double HeightGrid::descend(Cast& cast) const
 {
   const Level& cells = this->Levels[0];
-  Place at{ static_cast<int>(this->Levels.size()) - 1,
+  Place at{ std::min(FirstLevel, static_cast<int>(this->Levels.size()) - 1),
     cellAt(cast.origin[0] + cast.near * cast.direction[0], 0, cells.nx),
     cellAt(cast.origin[1] + cast.near * cast.direction[1], 0, cells.ny) };
   while (at.i >= 0 && at.i < cells.nx && at.j >= 0 && at.j < cells.ny)
   {
     const Level& blocks = this->Levels[static_cast<std::size_t>(at.level)];
-    const double alongX = leaves(cast.origin[0], cast.direction[0], at.level, at.i);
-    const double alongY = leaves(cast.origin[1], cast.direction[1], at.level, at.j);
+    const double alongX = leaves(cast.origin[0], cast.inverse[0], at.level, at.i);
+    const double alongY = leaves(cast.origin[1], cast.inverse[1], at.level, at.j);
     const double end = std::min({ alongX, alongY, cast.far });
     const double lowest = cast.origin[2] +
       (cast.direction[2] == 0 ? 0 : cast.direction[2] * (cast.direction[2] < 0 ? end : cast.near));

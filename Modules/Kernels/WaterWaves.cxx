@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WaterWaves.h"
 
+#include "Exponential.h"
 #include "Sine.h"
+#include "WideLoops.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,40 +64,56 @@ WaterWaves::WaterWaves(const WaterWavesParameters& p)
       frequency = std::round(frequency * p.period / (2 * Pi)) * 2 * Pi / p.period;
     }
     const double phase = 2 * Pi * lot(p.seed, n, 0.7320508076) - frequency * p.time;
-    this->Waves.push_back({ k * std::cos(angle), k * std::sin(angle), steepness / k, phase });
+    const int place = n % Group::Size;
+    if (place == 0)
+    {
+      this->Groups.push_back({});
+    }
+    Group& group = this->Groups.back();
+    group.kx[place] = k * std::cos(angle);
+    group.ky[place] = k * std::sin(angle);
+    group.amplitude[place] = steepness / k;
+    group.phase[place] = phase;
   }
 }
 
-WaterSlopes WaterWaves::slopes(
+NEPHOSCOPE_WIDE WaterSlopes WaterWaves::slopes(
   double x, double y, const Vector3& along, const Vector3& across) const
 {
-  constexpr double LeastWeight = 1e-3;
-  WaterSlopes slopes;
-  for (const Wave& wave : this->Waves)
+  constexpr int Size = Group::Size;
+  double sx[Size] = {}, sy[Size] = {}, sxx[Size] = {}, sxy[Size] = {}, syy[Size] = {};
+  for (const Group& group : this->Groups)
   {
-    const double a = wave.kx * along[0] + wave.ky * along[1];
-    const double b = wave.kx * across[0] + wave.ky * across[1];
-    const double weight = std::exp(-9.0 / 32 * (a * a + b * b));
-    if (weight > LeastWeight)
+    for (int n = 0; n < Size; ++n)
     {
-      const double cosine = sine(wave.kx * x + wave.ky * y + wave.phase + Pi / 2);
-      slopes.x += weight * wave.amplitude * wave.kx * cosine;
-      slopes.y += weight * wave.amplitude * wave.ky * cosine;
+      const double kx = group.kx[n];
+      const double ky = group.ky[n];
+      const double amplitude = group.amplitude[n];
+      const double a = kx * along[0] + ky * along[1];
+      const double b = kx * across[0] + ky * across[1];
+      const double weight = exponential(-9.0 / 32 * (a * a + b * b));
+      const double cosine = sine(kx * x + ky * y + group.phase[n] + Pi / 2);
+      sx[n] += weight * amplitude * kx * cosine;
+      sy[n] += weight * amplitude * ky * cosine;
+      const double variance = 0.5 * amplitude * amplitude * (1 - weight * weight);
+      sxx[n] += variance * kx * kx;
+      sxy[n] += variance * kx * ky;
+      syy[n] += variance * ky * ky;
     }
-    const double variance = 0.5 * wave.amplitude * wave.amplitude * (1 - weight * weight);
-    slopes.xx += variance * wave.kx * wave.kx;
-    slopes.xy += variance * wave.kx * wave.ky;
-    slopes.yy += variance * wave.ky * wave.ky;
   }
-  return slopes;
+  const auto sum = [](const double* s) { return (s[0] + s[1]) + (s[2] + s[3]); };
+  return { sum(sx), sum(sy), sum(sxx), sum(sxy), sum(syy) };
 }
 
 double WaterWaves::height(double x, double y) const
 {
   double height = 0;
-  for (const Wave& wave : this->Waves)
+  for (const Group& group : this->Groups)
   {
-    height += wave.amplitude * sine(wave.kx * x + wave.ky * y + wave.phase);
+    for (int n = 0; n < Group::Size; ++n)
+    {
+      height += group.amplitude[n] * sine(group.kx[n] * x + group.ky[n] * y + group.phase[n]);
+    }
   }
   return height;
 }

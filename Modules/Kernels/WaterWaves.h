@@ -69,14 +69,16 @@ public:
   double height(double x, double y) const;
 
 private:
-  struct Wave
+  /// Some waves side by side, worked at together; what is left over has no amplitude.
+  struct Group
   {
-    double kx; // rad/m
-    double ky;
-    double amplitude; // m
-    double phase;     // rad
+    static constexpr int Size = 4;
+    double kx[Size]; // rad/m
+    double ky[Size];
+    double amplitude[Size]; // m
+    double phase[Size];     // rad
   };
-  std::vector<Wave> Waves;
+  std::vector<Group> Groups;
 };
 }
 #endif

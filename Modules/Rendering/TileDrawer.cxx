@@ -176,6 +176,10 @@ private:
   {
     TileWork& work = this->Works.Local();
     this->Drawer.Start(tile, work);
+    for (const vtkCloudBody* body : this->Scene.Bodies)
+    {
+      body->Hide(this->Scene.Camera, work.Tile);
+    }
     for (std::size_t body = 0; body < this->Scene.Bodies.size(); ++body)
     {
       if (body + 1 == this->Scene.Bodies.size())

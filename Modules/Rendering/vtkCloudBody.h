@@ -6,7 +6,7 @@
  * A body is the last algorithm of a pipeline, as a vtkMapper is: it has input ports and no output. A vtkCloudscape
  *  1. brings each body's inputs up to date,
  *  2. calls Prepare with the camera, once a frame, from one thread,
- *  3. calls Emit for each tile, from several threads at once.
+ *  3. calls Hide, then Emit for each tile, from several threads at once.
  * What is independent of the camera is kept between frames and rebuilt only when the input or the body has changed.
  *
  * @sa vtkCloudscape, nephoscope::DeepTile, nephoscope::Segment
@@ -21,6 +21,7 @@ namespace nephoscope
 {
 class Camera;
 class DeepTile;
+struct Ray;
 }
 
 class VTKCLOUDRENDERING_EXPORT vtkCloudBody : public vtkAlgorithm
@@ -50,10 +51,20 @@ public:
 
   /// Add the segments that the rays of the tile's pixels meet. Called from several threads at once.
   virtual void Emit(const nephoscope::Camera& camera, nephoscope::DeepTile& tile) const = 0;
+
+  /// For those that HidesAhead: tell the tile beyond which distances nothing is seen, before any body emits. Called as Emit is.
+  virtual void Hide(const nephoscope::Camera&, nephoscope::DeepTile&) const {}
 #endif
 
   /// Whether all its segments are opaque; those bodies are emitted first, so that the others can skip what is hidden.
   virtual bool IsOpaque() const
+  {
+    return false;
+  }
+
+  /// Whether an opaque body knows at once where it is, but works its light out long: it is told first what it hides, and emitted after
+  /// other opaque bodies, so that no light is worked out that they hide.
+  virtual bool HidesAhead() const
   {
     return false;
   }

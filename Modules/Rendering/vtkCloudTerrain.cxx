@@ -77,12 +77,10 @@ private:
 
   Vector3 ColorAt(const Hit& hit, const Vector3& normal) const
   {
-    const double patches = nephoscope::NoiseOctaves{ 40 * this->Spacing(), 7, 0.7, 5 }(
-      hit.At[0], hit.At[1], hit.Footprint)
-                             .value;
-    const double specks = nephoscope::NoiseOctaves{ 2 * this->Spacing(), 5, 0.8, 9 }(
-      hit.At[0], hit.At[1], hit.Footprint)
-                            .value;
+    const double patches = nephoscope::NoiseOctaves{ 40 * this->Spacing(), 7, 0.7, 5 }.value(
+      hit.At[0], hit.At[1], hit.Footprint);
+    const double specks = nephoscope::NoiseOctaves{ 2 * this->Spacing(), 5, 0.8, 9 }.value(
+      hit.At[0], hit.At[1], hit.Footprint);
     const double slope = std::hypot(normal[0], normal[1]) / std::max(normal[2], 1e-3);
     const double high = (hit.At[2] - this->WaterLevel) / this->Scale;
     // Woods keep to hollows and to the north, where it is damp.

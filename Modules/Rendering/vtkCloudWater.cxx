@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 vtkStandardNewMacro(vtkCloudWater);
 
@@ -245,6 +246,27 @@ bool vtkCloudWater::Prepare(const nephoscope::Camera&)
   return true;
 }
 
+/// Where a ray meets the water; infinite if it does not.
+double vtkCloudWater::DistanceOf(const nephoscope::Ray& ray) const
+{
+  const double distance = (this->Level - ray.origin[2]) / ray.direction[2];
+  return ray.direction[2] < 0 && distance >= 0 && distance < Farthest
+    ? distance
+    : std::numeric_limits<double>::infinity();
+}
+
+void vtkCloudWater::Hide(const nephoscope::Camera& camera, nephoscope::DeepTile& tile) const
+{
+  const nephoscope::TileExtent& e = tile.extent();
+  for (int y = e.y0; y < e.y0 + e.height; ++y)
+  {
+    for (int x = e.x0; x < e.x0 + e.width; ++x)
+    {
+      tile.hideBeyond(x, y, this->DistanceOf(camera.ray(x + 0.5, y + 0.5)));
+    }
+  }
+}
+
 void vtkCloudWater::Emit(const nephoscope::Camera& camera, nephoscope::DeepTile& tile) const
 {
   const Sea& sea = *this->Ready;
@@ -254,9 +276,8 @@ void vtkCloudWater::Emit(const nephoscope::Camera& camera, nephoscope::DeepTile&
     for (int x = e.x0; x < e.x0 + e.width; ++x)
     {
       const nephoscope::Ray ray = camera.ray(x + 0.5, y + 0.5);
-      const double distance = (this->Level - ray.origin[2]) / ray.direction[2];
-      if (!(ray.direction[2] < 0 && distance >= 0 && distance < Farthest) ||
-        distance > tile.opaqueAt(x, y))
+      const double distance = this->DistanceOf(ray);
+      if (!std::isfinite(distance) || distance > tile.opaqueAt(x, y))
       {
         continue;
       }

@@ -14,7 +14,7 @@
  *          The sun's glitter is pi SunColor c F p / (4 V_z n_z^4), p the density of the slopes that mirror it (Cox and Munk 1954).
  *          Light that comes back out of the water is dimmed by the clouds' shadow.
  * Errors   another image, a sun without direction: vtkErrorMacro, nothing is drawn.
- * Cost     some 3 us a pixel with 72 waves. Thread-safe; the same bits for any number of threads.
+ * Cost     some 3 us a pixel with 72 waves where no other opaque body stands before it. Thread-safe; the same bits for any number of threads.
  * Limits   waves have slopes but no height: they hide nothing, and a resolved face counts by its place on the plane, not by the area
  *          that the eye sees of it. Rays that are mirrored downward see the horizon.
  *          From below the surface nothing is seen of it.
@@ -95,9 +95,11 @@ public:
   ///@}
 
   bool IsOpaque() const override { return true; }
+  bool HidesAhead() const override { return true; }
 
 #ifndef __VTK_WRAP__
   bool Prepare(const nephoscope::Camera& camera) override;
+  void Hide(const nephoscope::Camera& camera, nephoscope::DeepTile& tile) const override;
   void Emit(const nephoscope::Camera& camera, nephoscope::DeepTile& tile) const override;
 #endif
 
@@ -122,6 +124,10 @@ protected:
 private:
   vtkCloudWater(const vtkCloudWater&) = delete;
   void operator=(const vtkCloudWater&) = delete;
+
+#ifndef __VTK_WRAP__
+  double DistanceOf(const nephoscope::Ray& ray) const;
+#endif
 
   class Sea;
   std::unique_ptr<Sea> Ready;

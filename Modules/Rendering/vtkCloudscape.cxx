@@ -33,6 +33,12 @@ nephoscope::Vector3 vector(const double v[3])
   return { v[0], v[1], v[2] };
 }
 
+/// In which order bodies are emitted.
+int turn(const vtkCloudBody& body)
+{
+  return !body.IsOpaque() ? 2 : body.HidesAhead() ? 1 : 0;
+}
+
 }
 
 vtkCloudscape::vtkCloudscape()
@@ -251,8 +257,8 @@ int vtkCloudscape::RequestData(
     this->TileSize, this->Samples, this->ComputeDepth };
   std::copy_if(this->Bodies.begin(), this->Bodies.end(), std::back_inserter(scene.Bodies),
     [](vtkCloudBody* body) { return body->GetVisibility(); });
-  std::stable_partition(scene.Bodies.begin(), scene.Bodies.end(),
-    [](const vtkCloudBody* body) { return body->IsOpaque(); });
+  std::stable_sort(scene.Bodies.begin(), scene.Bodies.end(),
+    [](const vtkCloudBody* a, const vtkCloudBody* b) { return turn(*a) < turn(*b); });
   const bool sums = sumsMayBeSent(scene);
   if (!this->PrepareBodies(scene))
   {

@@ -3,6 +3,7 @@
 
 #include "CloudArrays.h"
 #include "HeightFieldInput.h"
+#include "HeightFieldShadow.h"
 #include "vtkDataObject.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -65,16 +66,12 @@ int vtkCloudHeightFieldShadow::RequestData(
   vtkSMPTools::For(0, n[1],
     [this, &field, values](vtkIdType begin, vtkIdType end)
     {
+      nephoscope::HeightFieldShadow rows(field, this->Extinction);
       for (vtkIdType j = begin; j < end; ++j)
       {
-        for (int i = 0; i < this->Dimensions[0]; ++i)
-        {
-          const double f = field.value(this->GetFirst(0) + i * this->Spacing,
-            this->GetFirst(1) + static_cast<double>(j) * this->Spacing);
-          values[j * this->Dimensions[0] + i] = f > 0
-            ? static_cast<float>(std::exp(-this->Extinction * (field.top(f) - field.bottom(f))))
-            : 1;
-        }
+        rows.row(this->GetFirst(0), this->GetFirst(1) + static_cast<double>(j) * this->Spacing,
+          this->Spacing, static_cast<std::size_t>(this->Dimensions[0]),
+          values + j * this->Dimensions[0]);
       }
     });
   image->GetPointData()->SetScalars(shadow);

@@ -10,8 +10,8 @@
  *          exponential in place of his quadratic).
  * Errors   no such array, fewer than 2 points either way or over 2^28, a Spacing that is not above 0: vtkErrorMacro, an
  *          empty output.
- * Cost     some 0.3 us a point, in parallel; the same bits for any number of threads.
- * @sa vtkCloudHeightFieldVolume, vtkCloudTerrain, vtkCloudWater, vtkCloudHaze
+ * Cost     some 20 ns a point with 16 waves, in parallel; the same bits for any number of threads.
+ * @sa nephoscope::HeightFieldShadow, vtkCloudHeightFieldVolume, vtkCloudTerrain, vtkCloudWater, vtkCloudHaze
  */
 #ifndef vtkCloudHeightFieldShadow_h
 #define vtkCloudHeightFieldShadow_h

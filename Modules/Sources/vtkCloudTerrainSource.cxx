@@ -105,11 +105,8 @@ int vtkCloudTerrainSource::RequestData(
     {
       for (vtkIdType j = begin; j < end; ++j)
       {
-        for (int i = 0; i < across; ++i)
-        {
-          height[j * across + i] = static_cast<float>(
-            hills.height(origin[0] + i * spacing, origin[1] + static_cast<double>(j) * spacing));
-        }
+        hills.row(origin[0], origin[1] + static_cast<double>(j) * spacing, spacing,
+          static_cast<std::size_t>(across), height + j * across);
       }
     });
   image->GetPointData()->SetScalars(heights);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cumulus.h"
 #include "HeightField.h"
+#include "HeightFieldShadow.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 using namespace nephoscope;
 
@@ -250,5 +252,34 @@ TEST(HeightField, InsidesSlopeIsItsDerivative)
         field.inside(f - 0.3 * step, zeta + 0.7 * step);
       EXPECT_NEAR(slope, rise / (2 * step), 1e-6 * (1 + std::abs(slope)));
     }
+  }
+}
+
+// Turned phases against a sine for each place, in a row that no number of samples a block divides, far from the origin.
+TEST(HeightFieldShadow, RowsAreThoseOfTheThickness)
+{
+  for (const double c : { 0.0, 40.0 })
+  {
+    HeightFieldShape shape = mixedShape();
+    shape.polynomial = { 12, 0, 0, 0, 0, 0 };
+    shape.c = c;
+    const HeightField field(shape);
+    constexpr double Extinction = 0.004;
+    constexpr double X = 30000;
+    constexpr double Spacing = 21;
+    std::vector<float> row(5001);
+    HeightFieldShadow shadow(field, Extinction);
+    shadow.row(X, -700, Spacing, row.size(), row.data());
+    int clouded = 0;
+    for (std::size_t i = 0; i < row.size(); ++i)
+    {
+      const double f = field.value(X + static_cast<double>(i) * Spacing, -700);
+      const double share = f > 0 ? std::exp(-Extinction * (field.top(f) - field.bottom(f))) : 1;
+      // Where c is 0 the bottom is a step at F = 0.
+      ASSERT_NEAR(row[i], share, std::abs(f) < 1e-9 ? 1 : 2e-7) << c << ' ' << i;
+      clouded += f > 0 ? 1 : 0;
+    }
+    EXPECT_GT(clouded, 1000);
+    EXPECT_LT(clouded, 4500);
   }
 }

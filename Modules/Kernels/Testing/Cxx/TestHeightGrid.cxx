@@ -39,6 +39,13 @@ GridPyramid gridOf(const GridFrame& frame, Function function)
   return { frame, std::move(values) };
 }
 
+double heightOf(const FractalHills& hills, double x, double y)
+{
+  float height;
+  hills.row(x, y, 1, 1, &height);
+  return height;
+}
+
 double slanted(double x, double y)
 {
   return 1 + 0.25 * x - 0.5 * y;
@@ -136,6 +143,46 @@ TEST(HeightGrid, NothingIsHitBeforeTheFirstHit)
   EXPECT_LT(hits, 380);
 }
 
+// Many blocks of several sizes, the last of them incomplete: the first hit is that of the nearest of all patches, each with a grid
+// of its own.
+TEST(HeightGrid, BlocksLeaveNoPatchOut)
+{
+  const GridFrame frame{ 3, -20, 0.5, 1.25, 74, 41 };
+  std::mt19937 lots(11);
+  std::uniform_real_distribution<double> lot(-1, 1);
+  const GridPyramid heights = gridOf(frame,
+    [&](double x, double y)
+    { return 0.3 * lot(lots) + 4 * std::exp(-0.02 * ((x - 25) * (x - 25) + y * y)); });
+  const HeightGrid ground(heights);
+  std::vector<HeightGrid> patches;
+  for (int j = 0; j + 1 < frame.ny; ++j)
+  {
+    for (int i = 0; i + 1 < frame.nx; ++i)
+    {
+      patches.emplace_back(
+        GridPyramid({ frame.x0 + i * frame.dx, frame.y0 + j * frame.dy, frame.dx, frame.dy, 2, 2 },
+          { heights.at(i, j), heights.at(i + 1, j), heights.at(i, j + 1),
+            heights.at(i + 1, j + 1) }));
+    }
+  }
+  int hits = 0;
+  for (int n = 0; n < 300; ++n)
+  {
+    const Ray ray{ { 21 + 24 * lot(lots), 5 + 30 * lot(lots), 2.5 + 2 * lot(lots) },
+      normalized(Vector3{ lot(lots), lot(lots), 0.1 * lot(lots) }) };
+    double first = Infinity;
+    for (const HeightGrid& patch : patches)
+    {
+      first = std::min(first, patch.intersect(ray, 60));
+    }
+    hits += first < 60 ? 1 : 0;
+    const double hit = ground.intersect(ray, 60);
+    ASSERT_TRUE(hit == first || std::abs(hit - first) < 1e-9) << n << ' ' << hit << ' ' << first;
+  }
+  EXPECT_GT(hits, 40);
+  EXPECT_LT(hits, 260);
+}
+
 TEST(HeightGrid, RaysAlongGridLinesHit)
 {
   const HeightGrid ground(gridOf(Frame, [](double, double) { return 2.0; }));
@@ -206,6 +253,7 @@ TEST(FractalNoise, OctavesFadeBeforeTheyAreFinerThanTwoFootprints)
   EXPECT_EQ(all(1.1, 2.3, 2).value, first(1.1, 2.3).value);
   EXPECT_EQ(all(1.1, 2.3, 4).value, 0);
   EXPECT_EQ(all(1.1, 2.3, 0.25).value, all(1.1, 2.3).value);
+  EXPECT_EQ(all.value(1.1, 2.3, 1), all(1.1, 2.3, 1).value);
 }
 
 TEST(FractalHills, AreTheSameEverywhereAndReachTheirRelief)
@@ -215,7 +263,7 @@ TEST(FractalHills, AreTheSameEverywhereAndReachTheirRelief)
   double most = -1e9;
   for (int n = 0; n < 20000; ++n)
   {
-    const double height = hills.height(211.0 * n, -97.0 * n);
+    const double height = heightOf(hills, 211.0 * n, -97.0 * n);
     least = std::min(least, height);
     most = std::max(most, height);
   }
@@ -223,5 +271,24 @@ TEST(FractalHills, AreTheSameEverywhereAndReachTheirRelief)
   EXPECT_GT(most - least, 0.8 * hills.relief);
   FractalHills higher = hills;
   higher.mean += 25;
-  EXPECT_DOUBLE_EQ(higher.height(777, 333), hills.height(777, 333) + 25);
+  EXPECT_NEAR(heightOf(higher, 777, 333), heightOf(hills, 777, 333) + 25, 1e-3);
+}
+
+TEST(FractalHills, RowsAreThoseOfTheirPlaces)
+{
+  const FractalHills hills;
+  float row[37];
+  hills.row(-400, 250, 30, 37, row);
+  for (int n = 0; n < 37; ++n)
+  {
+    EXPECT_EQ(row[n], heightOf(hills, -400 + 30 * n, 250)) << n;
+  }
+  // One octave is noise of half the wavelength, laid flatter by its own slope.
+  FractalHills one = hills;
+  one.octaves = 1;
+  const Noise noise = gradientNoise(2 * 700 / one.wavelength, 2 * -900 / one.wavelength, one.seed);
+  EXPECT_NEAR(heightOf(one, 700, -900),
+    one.mean +
+      0.5 * one.relief * noise.value / (1 + one.wear * (noise.dx * noise.dx + noise.dy * noise.dy)),
+    1e-3);
 }

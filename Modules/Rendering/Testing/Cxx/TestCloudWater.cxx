@@ -2,6 +2,7 @@
 #include "Fresnel.h"
 #include "HorizontalImage.h"
 #include "RenderingTest.h"
+#include "vtkCloudTerrain.h"
 #include "vtkCloudWater.h"
 #include "vtkTestErrorObserver.h"
 
@@ -114,6 +115,22 @@ TEST_F(CloudWater, ShowsCloudsUpsideDown)
   this->Draw({ this->Water });
   EXPECT_GT(this->Radiance(50, 21), 10 * this->Radiance(10, 21));
   EXPECT_GT(this->Radiance(50, 21), 0.02);
+}
+
+TEST_F(CloudWater, IsNotWorkedOutBehindHills)
+{
+  vtkNew<vtkCloudTerrain> hills;
+  hills->SetInputData(
+    imageOf(nephoscope::arrays::Height, 0, [](double x, double) { return x > 1 ? 0.5 : -4; }));
+  this->Camera->SetPosition(0, -4, 2);
+  this->Camera->SetFocalPoint(0, 0, -1);
+  this->Draw({ hills, this->Water });
+  const double before[2] = { this->Radiance(50, 21), this->Radiance(10, 21) };
+  this->Draw({ this->Water, hills });
+  EXPECT_EQ(this->Radiance(50, 21), before[0]);
+  EXPECT_EQ(this->Radiance(10, 21), before[1]);
+  // Whichever comes first, a ray meets one of them.
+  EXPECT_EQ(this->Scape->GetNumberOfSegments(), Width * Height);
 }
 
 TEST_F(CloudWater, BadInputIsRefused)
