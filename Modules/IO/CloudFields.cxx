@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CloudFields.h"
 
+#include "NumberText.h"
 #include "ReadError.h"
 #include "VerticalCoordinate.h"
 
@@ -61,7 +62,7 @@ float unitlessScale(CloudFile& file, const RoleVariable& role, const FieldReader
     return 1;
   }
   file.warn("variable " + role.variable->name + ": it has no units; its values up to " +
-    std::to_string(most) + " are taken for per cent");
+    numberText(most) + " are taken for per cent");
   return 0.01F;
 }
 
@@ -78,7 +79,7 @@ std::vector<float> readFraction(CloudFile& file, const FieldReader& reader, cons
   if (most > LargestFraction)
   {
     throw ReadError("variable " + role->variable->name + ": its largest value is " +
-      std::to_string(most) + ", but a cloud fraction ends at 1; correct its units ('" +
+      numberText(most) + ", but a cloud fraction ends at 1; correct its units ('" +
       role->variable->text("units").substr(0, 80) + "'), to '%' if it is in per cent");
   }
   overPoints(fraction.size(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HorizontalGrid.h"
 
+#include "NumberText.h"
 #include "ReadError.h"
 
 #include <algorithm>
@@ -198,8 +199,8 @@ bool HorizontalGrid::layPlane(CloudFile& file)
     {
       if (!this->Plane->inverse(this->X[c], this->Y[c], this->Longitude[c], this->Latitude[c]))
       {
-        throw ReadError("variable " + vx->name + ": x " + std::to_string(this->X[c]) + " m, y " +
-          std::to_string(this->Y[c]) + " m lie outside the projection '" +
+        throw ReadError("variable " + vx->name + ": x " + numberText(this->X[c], 10) + " m, y " +
+          numberText(this->Y[c], 10) + " m lie outside the projection '" +
           this->Plane->definition() + "'; check units and grid mapping");
       }
       const double before = c % grid.nx ? this->Longitude[c - 1]
@@ -251,7 +252,7 @@ bool HorizontalGrid::layPlain(CloudFile& file)
   if (x.back() - x.front() > 360 + 1e-3)
   {
     throw ReadError("variable " + lon->variable->name + ": it goes round more than once, from " +
-      std::to_string(x.front()) + " to " + std::to_string(x.back()) + "; cut it to 360 degrees");
+      numberText(x.front(), 10) + " to " + numberText(x.back(), 10) + "; cut it to 360 degrees");
   }
   this->Longitude = alongX(x, grid.ny);
   this->Latitude = alongY(y, grid.nx);
@@ -382,13 +383,13 @@ void HorizontalGrid::check(const CloudFile& file) const
     if (!(std::abs(this->Latitude[c]) <= 90 + 1e-6))
     {
       throw ReadError("variable " + (lat ? lat->variable->name : std::string("latitude")) +
-        ": latitude " + std::to_string(this->Latitude[c]) + " at column " + std::to_string(c) +
+        ": latitude " + numberText(this->Latitude[c], 10) + " at column " + std::to_string(c) +
         " is not within -90 to 90; correct it");
     }
     if (!(std::abs(this->Longitude[c]) < 1e5))
     {
       throw ReadError("variable " + (lon ? lon->variable->name : std::string("longitude")) +
-        ": longitude " + std::to_string(this->Longitude[c]) + " at column " + std::to_string(c) +
+        ": longitude " + numberText(this->Longitude[c], 10) + " at column " + std::to_string(c) +
         " is not an angle; correct it");
     }
   }

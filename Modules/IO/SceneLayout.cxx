@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneLayout.h"
 
+#include "NumberText.h"
 #include "ReadError.h"
 
 #include <cmath>
@@ -80,8 +81,8 @@ void SceneLayout::local(std::size_t at, SceneColumn& column) const
   else if (!plane->forward(
              this->Grid.Longitude[at], this->Grid.Latitude[at], column.base[0], column.base[1]))
   {
-    throw ReadError("longitude " + std::to_string(this->Grid.Longitude[at]) + ", latitude " +
-      std::to_string(this->Grid.Latitude[at]) + " lie outside the projection '" +
+    throw ReadError("longitude " + numberText(this->Grid.Longitude[at], 10) + ", latitude " +
+      numberText(this->Grid.Latitude[at], 10) + " lie outside the projection '" +
       plane->definition() + "'; use SetGeometryToMap or SetGeometryToGlobe");
   }
   double x = 0;

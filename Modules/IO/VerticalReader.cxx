@@ -2,6 +2,7 @@
 // How the vertical coordinate is found. VerticalFields.cxx evaluates it.
 #include "VerticalReader.h"
 
+#include "NumberText.h"
 #include "ReadError.h"
 
 #include <algorithm>
@@ -362,7 +363,7 @@ bool VerticalReader::fromHybridNames(CloudFile& file)
   if (!pressure && largest > 10)
   {
     file.warn(
-      "variable " + va->name + ": values up to " + std::to_string(largest) + " are taken for Pa");
+      "variable " + va->name + ": values up to " + numberText(largest) + " are taken for Pa");
     pressure = true;
   }
   if (!pressure)
@@ -448,8 +449,8 @@ bool VerticalReader::fromAxis(CloudFile& file, const FileVariable& axis)
   {
     return false;
   }
-  file.warn("variable " + axis.name + ": it has no units; its values " + std::to_string(*low) +
-    " to " + std::to_string(*high) + " are taken for pressures in hPa");
+  file.warn("variable " + axis.name + ": it has no units; its values " + numberText(*low) + " to " +
+    numberText(*high) + " are taken for pressures in hPa");
   this->A = values;
   std::for_each(this->A.begin(), this->A.end(), [](double& v) { v *= 100; });
   this->Form = Coordinate::Pressure;

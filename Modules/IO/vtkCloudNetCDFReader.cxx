@@ -6,6 +6,7 @@
 #include "CloudFile.h"
 #include "CloudRoles.h"
 #include "HorizontalGrid.h"
+#include "NumberText.h"
 #include "ReadError.h"
 #include "SceneLayout.h"
 #include "StructuredOutput.h"
@@ -179,8 +180,8 @@ struct vtkCloudNetCDFReader::Internals
     const double slack = 1e-6 * (times.back() - times.front());
     if (!(time >= times.front() - slack && time <= times.back() + slack))
     {
-      throw ReadError("time " + std::to_string(time) + " s is out of range; the file has " +
-        std::to_string(times.front()) + " to " + std::to_string(times.back()) + " " + this->Units);
+      throw ReadError("time " + numberText(time, 10) + " s is out of range; the file has " +
+        numberText(times.front(), 10) + " to " + numberText(times.back(), 10) + " " + this->Units);
     }
     const auto after = std::lower_bound(times.begin(), times.end(), time);
     std::size_t step = static_cast<std::size_t>(after - times.begin());

@@ -222,7 +222,7 @@ bool vtkCloudCellVolume::ReadGrid()
   if (size[0] < 2 || size[1] < 2 || size[2] < 2)
   {
     vtkErrorMacro("The grid of " << size[0] << " x " << size[1] << " x " << size[2]
-                                 << " points has no cells; give two levels at least.");
+                                 << " points has no cells; give two at least along each axis.");
     return false;
   }
   const vtkIdType places = static_cast<vtkIdType>(size[0]) * size[1] * size[2];

@@ -2,6 +2,7 @@
 #include "PointQuantities.h"
 
 #include "CloudArrays.h"
+#include "NumberText.h"
 #include "Optics.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -62,7 +63,7 @@ double heightScaleOf(vtkDataSet* grid)
   if (!(scale > 0 && std::isfinite(scale)))
   {
     throw VDBError(std::string("The field data's ") + arrays::HeightScale + " is " +
-      std::to_string(scale) + "; it has to be positive, scene units per metre");
+      numberText(scale) + "; it has to be positive, scene units per metre");
   }
   return scale;
 }

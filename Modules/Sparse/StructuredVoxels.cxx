@@ -2,6 +2,7 @@
 #include "StructuredVoxels.h"
 
 #include "BrickSampler.h"
+#include "NumberText.h"
 #include "PointQuantities.h"
 #include "TetrahedralSplit.h"
 #include "vtkSMPThreadLocal.h"
@@ -157,7 +158,7 @@ Voxelizer::Box Voxelizer::boxOf(const Corners& corners) const
     }
     if (!(least > -LargestIndex && largest < LargestIndex))
     {
-      throw VDBError("The voxel size " + std::to_string(this->Frame.spacing[c]) +
+      throw VDBError("The voxel size " + numberText(this->Frame.spacing[c]) +
         " is too small for the grid's coordinates, or these are not finite; choose larger voxels");
     }
     const auto axis = static_cast<std::size_t>(c);
@@ -173,8 +174,8 @@ void Voxelizer::refuseTooMany(double bricks) const
   if (bricks > this->Order.maximumVoxels / BrickSampler::Volume)
   {
     const Vector3& size = this->Frame.spacing;
-    throw VDBError("Voxels of " + std::to_string(size[0]) + " x " + std::to_string(size[1]) +
-      " x " + std::to_string(size[2]) + " would be more than " +
+    throw VDBError("Voxels of " + numberText(size[0]) + " x " + numberText(size[1]) + " x " +
+      numberText(size[2]) + " would be more than " +
       std::to_string(static_cast<long long>(this->Order.maximumVoxels)) + "; choose larger ones");
   }
 }
@@ -410,9 +411,8 @@ void Voxelizer::conserve(std::size_t quantity, double sum, double cut, VoxelGrid
   const double mass = this->Masses[quantity];
   if (mass > 0 && !(sum > 0))
   {
-    throw VDBError("No voxel of " + std::to_string(size[0]) + " x " + std::to_string(size[1]) +
-      " x " + std::to_string(size[2]) + " meets the clouds of '" + made.name +
-      "'; choose smaller voxels");
+    throw VDBError("No voxel of " + numberText(size[0]) + " x " + numberText(size[1]) + " x " +
+      numberText(size[2]) + " meets the clouds of '" + made.name + "'; choose smaller voxels");
   }
   const double factor = sum > 0 ? mass / (sum * size[0] * size[1] * size[2]) : 1;
   for (float& value : made.values)
@@ -470,7 +470,7 @@ std::vector<VoxelGrid> voxelsOf(
   if (size[0] < 2 || size[1] < 2 || size[2] < 2)
   {
     throw VDBError("The grid of " + std::to_string(size[0]) + " x " + std::to_string(size[1]) +
-      " x " + std::to_string(size[2]) + " points has no cells; give two levels at least");
+      " x " + std::to_string(size[2]) + " points has no cells; give two at least along each axis");
   }
   if (static_cast<double>(size[0]) * size[1] * size[2] > 2e9 ||
     grid->GetNumberOfPoints() != static_cast<vtkIdType>(size[0]) * size[1] * size[2])

@@ -393,6 +393,26 @@ openvdb::GridBase::Ptr parse(const std::string& bytes, VoxelMetadata& metadata)
   const auto grids = parsed.getGrids();
   return grids && !grids->empty() ? grids->front() : openvdb::GridBase::Ptr();
 }
+
+/// OpenVDB's own File does not notice that the disk is full.
+class CheckedFile : public openvdb::io::Archive
+{
+public:
+  void save(
+    const std::string& path, const openvdb::GridPtrVec& grids, const openvdb::MetaMap& about) const
+  {
+    std::ofstream stream(path, std::ios::binary);
+    if (stream)
+    {
+      this->Archive::write(stream, grids, true, about);
+      stream.close();
+    }
+    if (!stream)
+    {
+      throw VDBError(path + ": cannot be written; is the disk full?");
+    }
+  }
+};
 }
 
 void writeVDB(const std::string& path, const std::vector<VoxelGrid>& grids,
@@ -410,9 +430,7 @@ void writeVDB(const std::string& path, const std::vector<VoxelGrid>& grids,
       });
     openvdb::MetaMap about;
     putMetadata(metadata, about);
-    openvdb::io::File file(path);
-    file.write(made, about);
-    file.close();
+    CheckedFile().save(path, made, about);
   }
   catch (const openvdb::Exception& error)
   {

@@ -23,7 +23,7 @@ public:
   {
     if (!this->Stream)
     {
-      throw VDBError(path + ": cannot be opened; is the name right?");
+      throw VDBError(path + ": cannot be opened; check its name");
     }
     this->Size = this->Stream.tellg();
     this->Stream.seekg(0);

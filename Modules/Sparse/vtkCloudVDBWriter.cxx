@@ -2,9 +2,11 @@
 #include "vtkCloudVDBWriter.h"
 
 #include "CloudArrays.h"
+#include "NumberText.h"
 #include "StructuredVoxels.h"
 #include "VDBFile.h"
 #include "vtkDataArray.h"
+#include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -87,8 +89,9 @@ std::array<double, 3> voxelSizeOf(const double given[3], vtkDataSet* data)
   }
   if (given[0] != 0 || given[1] != 0 || given[2] != 0)
   {
-    throw VDBError("The voxel size " + std::to_string(given[0]) + " x " + std::to_string(given[1]) +
-      " x " + std::to_string(given[2]) + " has to be above 0");
+    throw VDBError("The voxel size " + nephoscope::numberText(given[0]) + " x " +
+      nephoscope::numberText(given[1]) + " x " + nephoscope::numberText(given[2]) +
+      " has to be above 0");
   }
   double bounds[6];
   data->GetBounds(bounds);
@@ -233,9 +236,11 @@ void vtkCloudVDBWriter::WriteData(vtkDataObject* data)
         grid.components,
       number("mass"), number("mass_factor") });
   }
+  this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
   const Beside file(this->FileName);
   writeVDB(file.partial(), grids, options, about);
   file.commit();
+  this->SetErrorCode(vtkErrorCode::NoError);
   this->UpdateProgress(1);
 }
 

@@ -25,7 +25,7 @@
  *          else that of condensate (Optics.h, Q = 2); else FullCoverExtinction times CloudFraction. Samples in a voxel, 2 to 16 along each
  *          axis, lie no farther apart than half the thickness that all but a tenth of the cells have.
  * Errors   no clouds' arrays, a voxel size that is not positive or makes more than MaximumVoxels, a file that cannot be written:
- *          vtkErrorMacro, nothing is left behind.
+ *          vtkErrorMacro, nothing is left behind; GetErrorCode is not 0 if the file could not be written.
  * Cost     320 x 160 x 19 points to 1/4 degree: see Utilities/Doc/sparse.md. The same bits for any number of threads.
  * Limits   mass is conserved in total, not in each cell: mass_factor says how far the samples were off. Cells with a missing value
  *          (NaN) are empty. With Half, values below 6e-8 vanish.

@@ -2,6 +2,7 @@
 """Runs the built program as a stranger would: its words, its exit codes, the files that it leaves."""
 import os
 import pathlib
+import resource
 import struct
 import subprocess
 import sys
@@ -18,6 +19,12 @@ SHARED = ROOT.parent / "shared" / "data"
 def run(*arguments, **options):
     return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=False,
                           timeout=240, **options)
+
+
+def run_on_full_disk(*arguments):
+    """No file may grow beyond 20 kB; Python's children would otherwise die of the signal."""
+    return run(*arguments, restore_signals=False,
+               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000)))
 
 
 def unfiltered(kind, row, above, step):
@@ -76,6 +83,11 @@ class ProgramTest(unittest.TestCase):
 
     def assert_done(self, done):
         self.assertEqual(done.returncode, 0, done.stderr)
+
+    def assert_failed(self, done, *words):
+        """After the note which time was chosen."""
+        done.stderr = "".join(line for line in done.stderr.splitlines(True) if ", step " not in line)
+        self.assert_refused(done, 1, *words)
 
     def assert_refused(self, done, code, *words):
         self.assertEqual(done.returncode, code, done.stderr)

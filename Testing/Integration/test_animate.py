@@ -108,10 +108,14 @@ class Animate(ProgramTest):
         done = run("animate", scene, "-o", self.folder / "late", "--from", 2, "--to", 1)
         self.assertEqual(done.returncode, 1)
         self.assertIn("begin at '2' and end at '1', which is not later", done.stderr)
+        self.assertFalse((self.folder / "late").exists(), "the folder is free for the right times")
         for late in ("2001-10-01T18:00:01", "1e9", "yesterday"):
             done = run("animate", scene, "-o", self.folder / late, "--to", late)
             self.assertEqual(done.returncode, 1)
             self.assertIn(f"'{late}' is no time within the file's steps 0 (2001-10-01T00:00:00) to 3", done.stderr)
+        still = self.folder / "still.yaml"
+        still.write_text("camera: { position: [0, 0, 900], target: [9, 0, 900] }\nbodies: [{ type: terrain }]\n")
+        self.assert_refused(run("animate", still, "-o", self.folder / "b", "--to", "1"), 2, "--to", "still.yaml has none")
         scene.write_text(scene.read_text().replace("at: 1", "at: 0"))
         self.assert_refused(run("animate", scene, "-o", self.folder / "b"), 2, "'at' of keyframe 2 is not greater")
 

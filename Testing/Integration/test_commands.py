@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """info, convert and the command line itself."""
 import json
+import pathlib
 import shutil
 
 import netCDF4
 
-from program import ROOT, SAMPLE, ProgramTest, main, run
+from program import ROOT, SAMPLE, SHARED, ProgramTest, main, run, run_on_full_disk
 
 
 class CommandLine(ProgramTest):
@@ -33,6 +34,7 @@ class CommandLine(ProgramTest):
         self.assert_refused(run("info", SAMPLE, "--variable", "CloudFraction="), 2, "ROLE=NAME")
         self.assert_refused(run("rendr"), 2, "'rendr'", "'render'")
         self.assert_refused(run("chrt"), 2, "'chrt'", "'chart'")
+        self.assert_refused(run("zzzzz"), 2, "'zzzzz'", "info, convert, render")
 
     def test_interpolation_needs_files_that_are_there(self):
         out = self.folder / "chart"
@@ -135,7 +137,24 @@ class Convert(ProgramTest):
         self.assert_refused(self.convert("none/a.vts")[0], 1, "none")
         (self.folder / "folder.vts").mkdir()
         self.assert_refused(self.convert("folder.vts")[0], 1, "folder.vts")
+        for kind in ("vts", "vtu", "vtp"):
+            path = str(self.folder / ("full." + kind))
+            self.assert_failed(run_on_full_disk("convert", SAMPLE, path), path + ": cannot be written; is the disk full?")
         self.assertEqual(self.files(), ["folder.vts"])
+
+    def test_the_file_that_is_read_is_not_replaced(self):
+        data = self.folder / "data.vtp"
+        shutil.copy(SAMPLE, data)
+        self.assert_refused(run("convert", data, self.folder / "." / "data.vtp"), 2, "data.vtp", "another name")
+        self.assertEqual(data.read_bytes(), pathlib.Path(SAMPLE).read_bytes())
+
+    def test_a_curtain_has_no_cells(self):
+        curtain = SHARED / "ecrad_meridian.nc"
+        if not curtain.exists():
+            self.skipTest("needs the shared file " + curtain.name)
+        for kind in ("vtu", "vtp"):
+            self.assert_refused(run("convert", curtain, self.folder / ("out." + kind)), 1, "no cells", ".vts")
+        self.assert_done(run("convert", curtain, self.folder / "out.vts"))
 
 
 class Fit(ProgramTest):
@@ -166,7 +185,14 @@ class Fit(ProgramTest):
                 self.assertAlmostEqual(p["value"], q["value"], delta=1e-6 * abs(p["value"]))
 
     def test_what_is_wrong_is_said_in_a_line(self):
-        self.assert_refused(self.fit("transmitance"), 1, "'transmitance'", "transmittance, phase")
+        self.assert_refused(self.fit("transmitance"), 2, "'transmitance'", "density, transmittance, phase")
+        self.assert_refused(self.fit(), 2, "WHAT")
+        self.assert_refused(self.fit("slab", "--data", SAMPLE), 2, "no --scene or --data")
+        self.assert_refused(self.fit("slab", "--tolerance", "0.1"), 2, "go with fit density")
+        self.assert_refused(self.fit("slab", "--time", "1"), 2, "go with --data")
+        self.assert_refused(self.fit("density", "--range", "0:1"), 2, "no --range")
+        for place in ("10,91", "361,0", "nan,0"):
+            self.assert_refused(self.fit("density", "--data", SAMPLE, "--column", place), 2, "LON,LAT")
         self.assert_refused(self.fit("slab", "--range", "3:3"), 1, "the range 3:3 is empty")
         self.assert_refused(self.fit("slab", "--range=-3:3"), 1, "negative")
         self.assert_refused(self.fit("slab", "--range", "3"), 2, "two numbers")

@@ -183,9 +183,24 @@ class Render(ProgramTest):
         options = ("--data", SAMPLE, "--style", "surface", *SMALL)
         for option in ("--value", "--exposure", "--exaggeration"):
             self.assert_refused(self.render("a.png", *options, option, "nan")[0], 2, option, "'nan'")
-        same = str(self.folder / "a.png")
-        self.assert_refused(self.render("a.png", *options, "--stats", same)[0], 2, "--stats")
+        for same in (self.folder / "a.png", self.folder / ".." / self.folder.name / "a.png", SAMPLE):
+            self.assert_refused(self.render("a.png", *options, "--stats", same)[0], 2, str(same), "another name")
         self.assert_refused(self.render("a.png", *options, "--stats", self.folder)[0], 1, "regular file")
+        self.assertEqual(self.files(), [])
+
+    def test_options_that_would_change_nothing(self):
+        options = ("--data", SAMPLE, *SMALL, "--style")
+        self.assert_refused(self.render("a.png", *options, "volume", "--value", "0.3")[0], 2, "--value")
+        hills = self.folder / "hills.yaml"
+        hills.write_text("camera: { position: [0, 0, 900], target: [9, 0, 900] }\nbodies: [{ type: terrain }]\n")
+        for option in (("--time", "1"), ("--exaggeration", "2"), ("--geometry", "map"), ("--variable", "Height=z")):
+            self.assert_refused(self.render("a.png", hills, *option)[0], 2, option[0], "hills.yaml has none")
+
+    def test_an_eye_in_the_ground(self):
+        for view in (("--view", "0,0,0.5"), ("--view", "0,-20", "--geometry", "map")):
+            done = self.render("a.png", "--data", SAMPLE, "--style", "surface", *SMALL, *view)[0]
+            done.stderr = done.stderr.partition("\n")[2]
+            self.assert_refused(done, 2, "--view", "the eye stands in")
         self.assertEqual(self.files(), [])
 
     def scene(self, camera="", ground="globe", geometry="globe"):
@@ -213,6 +228,15 @@ class Render(ProgramTest):
         scene.write_text("data: { file: %s }\nbodies:\n  - type: surface\n    valu: 0.2\n" % SAMPLE)
         done, _ = self.render("a.png", scene)
         self.assert_refused(done, 2, str(scene) + ":4: ", "'valu'", "'value'")
+        scene.write_text('"a\\e[31m\\nb": 1\n')
+        self.assert_refused(self.render("a.png", scene)[0], 2, "'a?[31m?b'")
+        scene.write_text("bodies: [{ type: %s }]\n" % ("x" * 100000))
+        done, _ = self.render("a.png", scene)
+        self.assert_refused(done, 2, "xxx...")
+        self.assertLess(len(done.stderr), 3000)
+        scene.write_text("camera: { position: [0, 0, 500], target: [9, 0, 500] }\nlight: { towardSun: [0, 1, -1] }\n"
+                         "bodies: [{ type: heightField }, { type: water }]\nmedia: [{ type: haze }]\n")
+        self.assert_refused(self.render("a.png", scene)[0], 1, str(scene) + ": ", "horizon")
         self.assertEqual(self.files(), ["scene.yaml"])
 
 

@@ -2,9 +2,11 @@
 """convert to OpenVDB, and pictures of such files."""
 import os
 import shutil
+import signal
 import subprocess
+import time
 
-from program import SAMPLE, SHARED, ProgramTest, main, pixels, run
+from program import PROGRAM, SAMPLE, SHARED, ProgramTest, main, pixels, run, run_on_full_disk
 
 COARSE = ("--geometry", "map", "--voxel", "250000,250000,1000")
 
@@ -79,11 +81,6 @@ class Convert(Voxels):
             told.add(done.stderr)
         self.assertEqual(len(told), 1)
 
-    def assert_failed(self, done, *words):
-        """After the note which time was chosen."""
-        done.stderr = "".join(line for line in done.stderr.splitlines(True) if ", step " not in line)
-        self.assert_refused(done, 1, *words)
-
     def test_errors_leave_nothing(self):
         self.assert_refused(self.convert("--voxel", "1,2"), 2, "--voxel", "X,Y,Z")
         self.assert_refused(self.convert("--voxel", "0"), 2, "--voxel")
@@ -91,6 +88,24 @@ class Convert(Voxels):
         self.assert_failed(self.convert("--geometry", "map", "--voxel", "10"), "choose larger ones")
         self.assert_failed(self.convert(*COARSE, "--grids", "snow"), "'snow'", "density, liquid, ice or wind")
         self.assert_refused(self.convert(*COARSE, "--time", "2", "--to", "1"), 2, "--to 1")
+        self.assertEqual(self.files(), [])
+
+    def test_a_full_disk_leaves_nothing(self):
+        self.assert_done(self.convert(*COARSE))
+        self.path.unlink()
+        self.assert_failed(run_on_full_disk("convert", SAMPLE, self.path, *COARSE), str(self.path), "disk full")
+        self.assertEqual(self.files(), [])
+
+    def test_ctrl_c_ends_sampling(self):
+        self.assert_done(self.convert(*COARSE))
+        self.path.unlink()
+        fine = ("--voxel", "15000", "--exaggeration", "10", "--threads", "1")
+        process = subprocess.Popen([PROGRAM, "convert", SAMPLE, self.path, *fine], stderr=subprocess.PIPE, text=True)
+        time.sleep(2)
+        process.send_signal(signal.SIGINT)
+        _, words = process.communicate(timeout=240)
+        self.assertEqual(process.returncode, 130, words)
+        self.assertNotIn("voxels", words)
         self.assertEqual(self.files(), [])
 
 

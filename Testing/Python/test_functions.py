@@ -333,7 +333,9 @@ class Pictures(Quiet):
                 (ValueError, "camera: 'zoom' is none of longitude", lambda: ns.render(fog, camera={"zoom": 2})),
                 (ValueError, "view_angle=0 is not between", lambda: ns.camera(fog, view_angle=0)),
                 (ValueError, "distance=-1 is not above 0", lambda: ns.render(fog, camera={"distance": -1})),
-                (ns.CloudError, "has no cells; give two levels", lambda: ns.render(np.ones((1, 1, 4)), "volume")),
+                (ValueError, "elevation=91 is not within -90 and 90", lambda: ns.render(fog, camera={"elevation": 91})),
+                (ValueError, "longitude=nan is not within", lambda: ns.camera(fog, longitude=np.nan)),
+                (ns.CloudError, "has no cells; give two at least", lambda: ns.render(np.ones((1, 1, 4)), "volume")),
                 (ns.CloudError, "no camera", lambda: ns.render(ns.vtkCloudscape())),
                 (ns.CloudError, "the name has to end in .png or .exr", lambda: picture.save(self.folder / "a.jpg")),
                 (ns.CloudError, "Cannot write /nowhere/a.png", lambda: picture.save("/nowhere/a.png"))):

@@ -243,6 +243,7 @@ class Refusals(unittest.TestCase):
                 (ValueError, "height is in 'hPa'; give it in m", lambda: lain(ball(), height=pressure)),
                 (ValueError, "height has 2 dimensions", lambda: lain(ball(), height=np.ones((2, 2)))),
                 (ValueError, "there are no fields", lambda: nephoscope.grid({})),
+                (ValueError, "a coordinate is empty", lambda: lain(ball()[:0], height=np.zeros(0))),
                 (ValueError, "exaggeration=nan", lambda: lain(ball(), exaggeration=np.nan)),
                 (ValueError, "geometry='flat' is none of 'globe', 'map', 'local'", lambda: lain(ball(), geometry="flat")),
                 (ValueError, r"dimensions \('a', 'b', 'c'\), which do not say what they are; transpose",

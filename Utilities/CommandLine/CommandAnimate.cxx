@@ -65,6 +65,16 @@ public:
   {
   }
 
+  /// What is wrong with the scene is said before the folder is made.
+  void prepare()
+  {
+    if (!this->Moving)
+    {
+      this->Moving = std::make_unique<MovingScene>(
+        this->Parts, this->Options.from, this->Options.to, this->Watch);
+    }
+  }
+
   void drawAll()
   {
     for (int frame = 0; frame < this->Options.frames; ++frame)
@@ -82,11 +92,7 @@ public:
 private:
   void draw(int frame)
   {
-    if (!this->Moving)
-    {
-      this->Moving = std::make_unique<MovingScene>(
-        this->Parts, this->Options.from, this->Options.to, this->Watch);
-    }
+    this->prepare();
     const int steps = this->Options.frames - (this->Parts.animation.cycle ? 0 : 1);
     const double moment = steps > 0 ? static_cast<double>(frame) / steps : 0;
     const BuiltScene built = this->Moving->at(moment);
@@ -94,7 +100,7 @@ private:
     this->Watch.watch(built.scape, this->label(frame));
     built.scape->Update();
     this->Watch.forget();
-    Messages::throwIfError(this->Parts.data.file);
+    Messages::throwIfError(this->Parts.subject());
     Messages::printWarnings();
     writePicture(built.scape, this->Parts.picture.exposure, this->Pictures.path(frame));
     this->Seconds += this->Clock.lap();
@@ -130,12 +136,22 @@ void runAnimate(const AnimateOptions& options)
   {
     scene.picture.size = sizeOf(*options.size);
   }
-  const Frames frames(options.folder, options.frames, descriptionOf(options, scene.picture));
+  if (scene.data.file.empty() && (options.from || options.to))
+  {
+    throw UsageFailure("--from and --to are of data, and " + options.scene + " has none");
+  }
+  Frames frames(options.folder, options.frames, descriptionOf(options, scene.picture));
   Artist artist(options, scene, frames);
+  if (!frames.isBegun())
+  {
+    artist.prepare();
+  }
+  frames.begin();
   artist.drawAll();
   const int missing = frames.missing();
-  note(options.folder + ": " + std::to_string(options.frames) + " frames, " +
-    std::to_string(artist.drawn()) + " of them drawn now" +
+  note(options.folder + ": " + std::to_string(options.frames) +
+    (options.frames == 1 ? " frame, " : " frames, ") + std::to_string(artist.drawn()) +
+    " of them drawn now" +
     (missing ? ", " + std::to_string(missing) + " still being drawn by other processes" : ""));
   if (options.movie && missing == 0)
   {
@@ -162,7 +178,7 @@ void addAnimate(CLI::App& app)
     ->check(CLI::Range(1, 1000000));
   command->add_option("--fps", options->rate, "pictures a second of the film; default 24")
     ->type_name("F")
-    ->check(CLI::Range(0.1, 240.0));
+    ->check(numberFrom(0.1, 240));
   command
     ->add_option("--from", options->from,
       "time of the first frame: as --time of render, or any date or second between the file's "

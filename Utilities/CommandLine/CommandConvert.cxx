@@ -11,12 +11,14 @@
 
 #include <CLI/CLI.hpp>
 #include <CloudArrays.h>
+#include <NumberText.h>
 #include <vtkCloudContour.h>
 #include <vtkCloudNetCDFReader.h>
 #include <vtkPolyData.h>
 #include <vtkStructuredGrid.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkXMLDataSetWriter.h>
+#include <vtkXMLDataObjectWriter.h>
+#include <vtkXMLWriter.h>
 
 #include <memory>
 
@@ -44,8 +46,7 @@ vtkSmartPointer<vtkDataSet> contourOf(
   Messages::throwIfError(file);
   if (contour->GetOutput()->GetNumberOfCells() == 0)
   {
-    note(
-      file + ": the cloud fraction is " + std::to_string(value) + " nowhere; the contour is empty");
+    note(file + ": the cloud fraction is " + numberText(value) + " nowhere; the contour is empty");
   }
   return vtkSmartPointer<vtkDataSet>(contour->GetOutput());
 }
@@ -53,14 +54,20 @@ vtkSmartPointer<vtkDataSet> contourOf(
 void write(vtkDataSet* data, const std::string& path)
 {
   OutputFile file(path);
-  const vtkNew<vtkXMLDataSetWriter> writer;
+  const auto writer = vtkSmartPointer<vtkXMLWriter>::Take(
+    vtkXMLDataObjectWriter::NewWriter(data->GetDataObjectType()));
   writer->SetInputData(data);
   writer->SetFileName(file.partial().c_str());
   const int written = writer->Write();
-  Messages::throwIfError(path);
-  if (!written || writer->GetErrorCode())
+  // Of a full disk VTK's own words say less.
+  if (writer->GetErrorCode())
   {
     throw Failure(path + ": cannot be written; is the disk full?");
+  }
+  Messages::throwIfError(path);
+  if (!written)
+  {
+    throw Failure(path + ": cannot be written");
   }
   file.commit();
 }
@@ -73,7 +80,7 @@ void runConvert(const ConvertOptions& options)
     throw UsageFailure(options.output +
       ": the name must end in .vts (grid), .vtu (tetrahedra), .vtp (contour) or .vdb (voxels)");
   }
-  checkWritable(options.output);
+  checkWritable(options.output, { options.data.file });
   if (kind == "vdb")
   {
     writeVDB(options.data, options.vdb, options.output);
@@ -84,6 +91,11 @@ void runConvert(const ConvertOptions& options)
   progress.watch(reader, "read");
   const auto grid = readStep(reader, options.data.time, kind == "vtp");
   progress.forget();
+  if (kind != "vts" && grid->GetDataDimension() < 3)
+  {
+    throw Failure(options.data.file +
+      ": has one column or one level only, and so no cells; .vts can hold its points");
+  }
   vtkSmartPointer<vtkDataSet> data = grid;
   if (kind == "vtu")
   {

@@ -16,6 +16,7 @@
 #endif
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <iomanip>
 #include <iostream>
@@ -35,8 +36,8 @@ struct FitOptions
   Data data;
   std::vector<double> column; ///< longitude and latitude, or empty
   std::vector<double> box;    ///< as Box, or empty
-  double tolerance = 0.05;
-  int terms = 32;
+  std::optional<double> tolerance;
+  std::optional<int> terms;
 };
 
 #ifdef NEPHOSCOPE_FITS
@@ -90,6 +91,11 @@ DensityGrid densityOf(const FitOptions& options, Progress& progress)
   }
   if (!options.column.empty() && !options.data.file.empty())
   {
+    if (!(std::abs(options.column[0]) <= 360) || !(std::abs(options.column[1]) <= 90))
+    {
+      throw UsageFailure("--column is LON,LAT: a longitude from -360 to 360 and a latitude from "
+                         "-90 to 90 degrees, such as 30,10");
+    }
     return columnOf(options.data, { options.column[0], options.column[1] });
   }
   if (!options.scene.empty() && box)
@@ -109,9 +115,11 @@ Calibration fittedDensity(const FitOptions& options)
   Progress progress;
   const DensityGrid density = densityOf(options, progress);
   std::ostringstream command;
-  command << "nephoscope fit density" << sourceOf(options) << " --tolerance " << options.tolerance
-          << " --terms " << options.terms;
-  return { "density", command.str(), fitDensity(density, { options.tolerance, options.terms }) };
+  const double tolerance = options.tolerance.value_or(0.05);
+  const int terms = options.terms.value_or(32);
+  command << "nephoscope fit density" << sourceOf(options) << " --tolerance " << tolerance
+          << " --terms " << terms;
+  return { "density", command.str(), fitDensity(density, { tolerance, terms }) };
 }
 
 Calibration fittedConstants(const FitOptions& options)
@@ -121,13 +129,6 @@ Calibration fittedConstants(const FitOptions& options)
   {
     return runFit(options.what, range);
   }
-  for (const FitSubject& subject : fitSubjects())
-  {
-    if (subject.name == options.what && !subject.runForDepths)
-    {
-      throw UsageFailure("fit " + options.what + " takes no --scene or --data");
-    }
-  }
   Progress progress;
   Calibration calibration =
     runFit(options.what, range, nullptr, depthsOf(sceneOf(options), progress));
@@ -135,8 +136,52 @@ Calibration fittedConstants(const FitOptions& options)
   return calibration;
 }
 
+/// Whether a subject's cases can come from a scene or a file. @throw UsageFailure if there is no such subject
+bool takesSource(const std::string& what)
+{
+  std::string known = "density";
+  for (const FitSubject& subject : fitSubjects())
+  {
+    if (subject.name == what)
+    {
+      return static_cast<bool>(subject.runForDepths);
+    }
+    known += ", " + subject.name;
+  }
+  if (what != "density")
+  {
+    throw UsageFailure("there is no fit '" + what + "'; there are " + known);
+  }
+  return true;
+}
+
+/// Options that would change nothing are a mistake.
+void refuseIdle(const FitOptions& options)
+{
+  const bool source = !options.scene.empty() || !options.data.file.empty();
+  if (!takesSource(options.what) && source)
+  {
+    throw UsageFailure("fit " + options.what + " takes no --scene or --data");
+  }
+  if (options.data.file.empty() && (options.data.time || !options.data.variables.empty()))
+  {
+    throw UsageFailure("--time and --variable go with --data");
+  }
+  const bool ofDensity =
+    !options.column.empty() || !options.box.empty() || options.tolerance || options.terms;
+  if (options.what != "density" && ofDensity)
+  {
+    throw UsageFailure("--column, --box, --tolerance and --terms go with fit density");
+  }
+  if (options.what == "density" && !options.range.empty())
+  {
+    throw UsageFailure("fit density takes no --range");
+  }
+}
+
 Calibration fitted(const FitOptions& options)
 {
+  refuseIdle(options);
   if (!options.scene.empty() && !options.data.file.empty())
   {
     throw UsageFailure("give either --scene or --data; see nephoscope fit --help");
@@ -187,9 +232,10 @@ void print(const Calibration& calibration)
     }
     if (fit.heldOut.cases > 0) // a part of a sum has no error of its own
     {
-      std::cout << std::setprecision(3) << "; " << fit.residual << " error rms " << fit.heldOut.rms
-                << ", 95 % " << fit.heldOut.p95 << ", max " << fit.heldOut.max << "; "
-                << fit.iterations << " iterations, " << fit.seconds << " s";
+      std::cout << std::setprecision(3) << (fit.parameters.empty() ? " " : "; ") << fit.residual
+                << " error rms " << fit.heldOut.rms << ", 95 % " << fit.heldOut.p95 << ", max "
+                << fit.heldOut.max << "; " << fit.iterations << " iterations, " << fit.seconds
+                << " s";
     }
     std::cout << '\n';
     for (const std::string& warning : fit.warnings)
@@ -207,7 +253,7 @@ void runFitCommand(const FitOptions& options)
     {
       throw UsageFailure(options.output + ": the name must end in .json");
     }
-    checkWritable(options.output);
+    checkWritable(options.output, { options.scene, options.data.file });
   }
   const Calibration calibration = fitted(options);
   print(calibration);
@@ -259,9 +305,7 @@ void addFit(CLI::App& app)
   auto options = std::make_shared<FitOptions>();
   CLI::App* const command =
     app.add_subcommand("fit", "Fit the constants of an approximation to its exact integrals.");
-  command->add_option("what", options->what, "what to fit: see below")
-    ->type_name("WHAT")
-    ->required();
+  command->add_option("WHAT", options->what, "what to fit: see below")->type_name("")->required();
   command->add_option("--range", options->range, "range of the cases; default: see below")
     ->type_name("A:B");
   addSources(*command, *options);

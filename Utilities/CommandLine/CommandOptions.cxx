@@ -3,18 +3,16 @@
 #include "Failure.h"
 
 #include <CLI/CLI.hpp>
+#include <NumberText.h>
 #include <vtkSMPTools.h>
 
 #include <algorithm>
-#include <sstream>
 
 namespace nephoscope::program
 {
 CLI::Validator numberFrom(double least, double most)
 {
-  std::ostringstream range;
-  range << least << " to " << most;
-  const std::string words = range.str();
+  const std::string words = numberText(least) + " to " + numberText(most);
   return CLI::Validator(
     [least, most, words](const std::string& text)
     {
@@ -50,7 +48,7 @@ void addDataOptions(CLI::App& command, Data& data)
       "how the grid lies in the scene; default: globe for global data, else by the file's "
       "projection")
     ->type_name("map|globe|local")
-    ->check(CLI::IsMember({ "automatic", "map", "globe", "local" }));
+    ->check(CLI::IsMember({ "automatic", "map", "globe", "local" }).description(""));
   command
     .add_option("--exaggeration", data.exaggeration,
       "factor on heights; default: 1 in data, by extent in pictures")

@@ -68,9 +68,29 @@ void setView(CameraView& camera, const std::string& text)
   }
 }
 
+/// Options that would change nothing are a mistake.
+void refuseIdle(const Scene& scene, const RenderOptions& options)
+{
+  const Data& given = options.data;
+  if (scene.data.file.empty() &&
+    (given.time || given.exaggeration || !given.geometry.empty() || !given.variables.empty()))
+  {
+    throw UsageFailure("--time, --geometry, --exaggeration and --variable are of data, and " +
+      options.scene + " has none");
+  }
+  const auto isSurface = [](const Body& body) {
+    return std::holds_alternative<SurfaceBody>(body) || std::holds_alternative<TextureBody>(body);
+  };
+  if (options.value && std::none_of(scene.bodies.begin(), scene.bodies.end(), isSurface))
+  {
+    throw UsageFailure("--value is of surfaces and textures, and there are none in the scene");
+  }
+}
+
 /// What the command line says wins over the scene file.
 void override(Scene& scene, const RenderOptions& options)
 {
+  refuseIdle(scene, options);
   const Data& given = options.data;
   scene.data.time = given.time ? given.time : scene.data.time;
   scene.data.exaggeration = given.exaggeration ? given.exaggeration : scene.data.exaggeration;
@@ -152,20 +172,16 @@ void runRender(const RenderOptions& options)
   {
     throw UsageFailure(options.output + ": the name must end in .png or .exr");
   }
-  if (options.stats == options.output)
-  {
-    throw UsageFailure("--stats " + options.stats + " is the picture's name; give another");
-  }
   const Scene scene = sceneOf(options);
   if (options.explain && !scene.quality.isAsked())
   {
     throw UsageFailure("--explain tells how methods were chosen, which they are if the scene has "
                        "quality: { tolerance: 0.01 }");
   }
-  checkWritable(options.output);
+  checkWritable(options.output, { options.scene, scene.data.file });
   if (!options.stats.empty())
   {
-    checkWritable(options.stats);
+    checkWritable(options.stats, { options.output, options.scene, scene.data.file });
   }
   Progress progress;
   const BuiltScene built = buildScene(scene, !options.style.empty(), progress);
@@ -175,7 +191,7 @@ void runRender(const RenderOptions& options)
   progress.watch(built.scape, "draw");
   built.scape->Update();
   progress.forget();
-  Messages::throwIfError(scene.data.file);
+  Messages::throwIfError(scene.subject());
   Messages::printWarnings();
   Stopwatch clock;
   writePicture(built.scape, scene.picture.exposure, options.output);
@@ -223,7 +239,7 @@ void addRender(CLI::App& app)
       "texture; "
       "volume: the grid's cells as glowing fog")
     ->type_name("surface|texture|volume")
-    ->check(CLI::IsMember({ "surface", "texture", "volume" }));
+    ->check(CLI::IsMember({ "surface", "texture", "volume" }).description(""));
   command
     ->add_option("-o,--output", options->output, "picture: PNG (sRGB) or OpenEXR (linear radiance)")
     ->type_name("OUT.{png,exr}");

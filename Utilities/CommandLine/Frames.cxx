@@ -81,21 +81,36 @@ int runProgram(std::vector<std::string> words)
 Frames::Frames(const std::string& folder, int number, const std::string& description)
   : Folder(folder)
   , Number(number)
+  , Description(description)
 {
   std::error_code error;
-  fs::create_directories(folder, error);
-  if (!fs::is_directory(folder, error))
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error))
   {
-    throw Failure(folder + ": is not a folder and cannot be made one; give another name");
+    throw Failure(folder + ": is not a folder; give another name");
   }
-  const std::string note = folder + "/animation.txt";
-  if (!fs::exists(note, error))
+}
+
+bool Frames::isBegun() const
+{
+  std::error_code error;
+  return fs::exists(this->note(), error);
+}
+
+void Frames::begin() const
+{
+  std::error_code error;
+  fs::create_directories(this->Folder, error);
+  if (!fs::is_directory(this->Folder, error))
   {
-    writeText(note, description);
+    throw Failure(this->Folder + ": this folder cannot be made; give another name");
   }
-  if (contentsOf(note) != description)
+  if (!this->isBegun())
   {
-    throw Failure(folder +
+    writeText(this->note(), this->Description);
+  }
+  if (contentsOf(this->note()) != this->Description)
+  {
+    throw Failure(this->Folder +
       ": holds frames of another scene, size, number or time (see its animation.txt); give another "
       "folder, or remove it");
   }

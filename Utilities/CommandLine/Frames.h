@@ -14,11 +14,17 @@ namespace nephoscope::program
 class Frames
 {
 public:
+  /// Nothing is written yet. @throw Failure if the folder is something else
+  Frames(const std::string& folder, int number, const std::string& description);
+
+  /// Whether the folder says already what its frames are of.
+  bool isBegun() const;
+
   /**
    * Makes the folder if there is none, and keeps in its animation.txt what the frames are of.
    * @throw Failure if the folder holds frames of another description, or cannot be written
    */
-  Frames(const std::string& folder, int number, const std::string& description);
+  void begin() const;
 
   std::string path(int frame) const;
   bool has(int frame) const;
@@ -26,8 +32,11 @@ public:
   const std::string& folder() const { return this->Folder; }
 
 private:
+  std::string note() const { return this->Folder + "/animation.txt"; }
+
   std::string Folder;
   int Number;
+  std::string Description;
 };
 
 /// The right to draw a frame, as long as the object lives: of all processes one has it. It ends with the process, however that ends.

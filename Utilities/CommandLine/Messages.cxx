@@ -108,15 +108,26 @@ std::string bareMessage(const std::string& text)
     "^\\s*(Generic )?(ERROR|Warning|Debug): In [^\n]*, line \\d+\n", std::regex::icase);
   static const std::regex object("^\\w+ \\((0x)?[0-9a-fA-F]+\\): ");
   static const std::regex breaks("\\s*\n\\s*");
+  static const std::regex request(" returned failure for request: [^]*");
   std::string bare = std::regex_replace(text, place, "");
   bare = std::regex_replace(bare, object, "");
+  bare = std::regex_replace(bare, request, " failed");
   bare = std::regex_replace(bare, breaks, " ");
   bare.erase(bare.find_last_not_of(' ') + 1);
   return bare;
 }
 
+std::string printable(const std::string& text)
+{
+  constexpr std::size_t Most = 2000;
+  std::string line = text.substr(0, Most) + (text.size() > Most ? "..." : "");
+  std::replace_if(
+    line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+  return line;
+}
+
 void note(const std::string& text)
 {
-  std::cerr << "nephoscope: " << text << '\n';
+  std::cerr << "nephoscope: " << printable(text) << '\n';
 }
 }

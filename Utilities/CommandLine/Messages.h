@@ -35,6 +35,9 @@ public:
 /// "ERROR: In path, line 7\nvtkFoo (0x1): what happened\n" as "what happened".
 std::string bareMessage(const std::string& text);
 
+/// A text that is one line: of 2000 characters at most, with '?' for control characters, which names and keys may hold.
+std::string printable(const std::string& text);
+
 /// Print one line for the user on standard error: "nephoscope: " and the text.
 void note(const std::string& text);
 }

@@ -48,4 +48,20 @@ std::string nearest(const std::string& word, const std::vector<std::string>& kno
     { return editDistance(word, a) < editDistance(word, b); });
   return best == known.end() ? std::string() : *best;
 }
+
+std::string suggestion(const std::string& word, const std::vector<std::string>& known)
+{
+  const std::string best = nearest(word, known);
+  const bool begins = word.size() >= 3 && best.rfind(word, 0) == 0;
+  if (begins || 2 * editDistance(word, best) <= std::max(word.size(), best.size()))
+  {
+    return "did you mean '" + best + "'?";
+  }
+  std::string all;
+  for (const std::string& a : known)
+  {
+    all += (all.empty() ? "" : ", ") + a;
+  }
+  return "it can be " + all;
+}
 }

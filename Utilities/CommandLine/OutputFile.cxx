@@ -63,9 +63,18 @@ fs::path targetOf(const std::string& path)
 }
 }
 
-void checkWritable(const std::string& path)
+void checkWritable(const std::string& path, const std::vector<std::string>& others)
 {
-  targetOf(path);
+  const fs::path target = targetOf(path);
+  for (const std::string& other : others)
+  {
+    std::error_code error;
+    if (!other.empty() && fs::weakly_canonical(fs::absolute(other), error) == target)
+    {
+      throw UsageFailure(
+        path + ": is a file that the command needs itself; give another name to write to");
+    }
+  }
 }
 
 OutputFile::OutputFile(const std::string& path)
@@ -88,6 +97,11 @@ OutputFile::~OutputFile()
   {
     leave(pending);
   }
+}
+
+bool OutputFile::isInterrupted()
+{
+  return pending != 0;
 }
 
 void OutputFile::commit()
@@ -134,5 +148,7 @@ void handleInterrupts()
   {
     sigaction(signal, &action, nullptr);
   }
+  action.sa_handler = SIG_IGN;
+  sigaction(SIGXFSZ, &action, nullptr);
 }
 }

@@ -7,6 +7,7 @@
 #define OutputFile_h
 
 #include <string>
+#include <vector>
 
 namespace nephoscope::program
 {
@@ -28,6 +29,9 @@ public:
   /// Where to write; it has the extension of the final name.
   const std::string& partial() const { return this->Partial; }
 
+  /// Whether an interrupt waits: what is written is not wanted any more.
+  static bool isInterrupted();
+
   /// Give the complete file its name. @throw Failure if it cannot be renamed or was not written
   void commit();
 
@@ -36,8 +40,11 @@ private:
   std::string Partial;
 };
 
-/// What OutputFile would throw, before there is anything to write.
-void checkWritable(const std::string& path);
+/**
+ * What OutputFile would throw, before there is anything to write.
+ * @throw UsageFailure if the file is one of `others`, which the command reads or writes too
+ */
+void checkWritable(const std::string& path, const std::vector<std::string>& others = {});
 
 /// The lower-case extension of a path without its dot; empty if there is none.
 std::string extensionOf(const std::string& path);
@@ -45,7 +52,8 @@ std::string extensionOf(const std::string& path);
 /// Write a text under a name, whole or not at all.
 void writeText(const std::string& path, const std::string& text);
 
-/// From now on SIGINT, SIGTERM and SIGHUP say one line and end the program with 128 + the signal's number.
+/// From now on SIGINT, SIGTERM and SIGHUP say one line and end the program with 128 + the signal's number, and a file that
+/// grows beyond the shell's limit is one that cannot be written.
 void handleInterrupts();
 }
 #endif

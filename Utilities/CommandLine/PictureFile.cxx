@@ -4,6 +4,7 @@
 #include "Failure.h"
 #include "Messages.h"
 #include "OutputFile.h"
+#include "Scene.h"
 
 #include <vtkCloudPictureWriter.h>
 #include <vtkCloudscape.h>
@@ -19,10 +20,10 @@ std::array<int, 2> sizeOf(const std::string& text)
   std::array<int, 2> size{};
   char extra = 0;
   if (std::sscanf(text.c_str(), "%dx%d%c", &size[0], &size[1], &extra) != 2 || size[0] < 1 ||
-    size[1] < 1 || size[0] > 32768 || size[1] > 32768)
+    size[1] < 1 || size[0] > LargestSide || size[1] > LargestSide)
   {
-    throw UsageFailure(
-      "--size " + text + " is not WIDTHxHEIGHT in pixels, each from 1 to 32768, such as 1024x768");
+    throw UsageFailure("--size " + text + " is not WIDTHxHEIGHT in pixels, each from 1 to " +
+      std::to_string(LargestSide) + ", such as 1024x768");
   }
   return size;
 }

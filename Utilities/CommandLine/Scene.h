@@ -20,6 +20,8 @@ namespace nephoscope::program
 {
 using Triple = std::array<double, 3>;
 
+constexpr int LargestSide = 32768; ///< of a picture, pixels times samples: vtkCloudscape's
+
 struct Picture
 {
   std::array<int, 2> size{ 1024, 768 };
@@ -242,6 +244,13 @@ struct Scene
   std::vector<Body> bodies;
   std::vector<Medium> media;
   double moment = 0; ///< of the animation, 0 to 1; not a key
+  std::string file;  ///< that it was read from; not a key
+
+  /// The file that an error is about.
+  const std::string& subject() const
+  {
+    return this->data.file.empty() ? this->file : this->data.file;
+  }
 };
 
 /// The scene of a style for a data file: surface, texture or volume, with ground under it.

@@ -10,6 +10,7 @@
 #include "SceneView.h"
 
 #include <CloudArrays.h>
+#include <NumberText.h>
 #include <vtkCamera.h>
 #include <vtkCloudCellVolume.h>
 #include <vtkCloudContour.h>
@@ -340,9 +341,19 @@ void Builder::joinLandscape()
   }
 }
 
+void refuseBuriedEye(bool buried, const std::string& remedy)
+{
+  if (buried)
+  {
+    throw UsageFailure("--view: the eye stands in " + remedy);
+  }
+}
+
 void Builder::lay(bool addGround)
 {
   const auto camera = cameraOf(this->Parts.camera, this->Lie, this->Parts.picture.size);
+  Vector3 eye;
+  camera->GetPosition(eye.v);
   this->TowardSun = towardSunOf(this->Parts.light, this->Lie, camera);
   this->Built.scape->SetCamera(camera);
   this->Built.scape->SetCylinderAngle(this->Parts.camera.cylinder.value_or(0));
@@ -352,10 +363,12 @@ void Builder::lay(bool addGround)
   if (addGround && this->Lie.isGlobe())
   {
     (*this)(GlobeBody());
+    refuseBuriedEye(length(eye) <= this->Lie.planetRadius, "the planet; give a distance over 1");
   }
   else if (addGround)
   {
     (*this)(PlaneBody());
+    refuseBuriedEye(eye[2] <= 0, "the ground; give an elevation over 0");
     this->addHaze(HazeDepth / camera->GetDistance(), Triple{ 0.42, 0.57, 0.8 });
   }
 }
@@ -421,7 +434,7 @@ vtkCloudSurface* Builder::addSurface(const SurfaceBody& body, bool keepCoordinat
   Messages::throwIfError(this->Parts.data.file);
   if (contour->GetOutput()->GetNumberOfCells() == 0)
   {
-    note(this->Parts.data.file + ": no cloud has the fraction " + std::to_string(body.value) +
+    note(this->Parts.data.file + ": no cloud has the fraction " + numberText(body.value) +
       "; try another --value");
   }
   this->Built.triangles += contour->GetOutput()->GetNumberOfCells();

@@ -125,7 +125,7 @@ std::vector<double> depthsOf(Scene scene, Progress& progress)
   progress.watch(built.scape, "draw");
   built.scape->Update();
   progress.forget();
-  Messages::throwIfError(scene.data.file);
+  Messages::throwIfError(scene.subject());
   // Rays that miss all cloud have exactly 0, and nothing to say.
   depths.erase(
     std::remove_if(depths.begin(), depths.end(), [](double depth) { return !(depth > 0); }),

@@ -5,6 +5,7 @@
 #include "Nearest.h"
 #include "SceneKeys.h"
 
+#include <NumberText.h>
 #include <yaml-cpp/yaml.h>
 
 #include <cmath>
@@ -37,11 +38,11 @@ std::string inQuotes(const std::string& word)
   return "'" + word + "'";
 }
 
-std::string shortest(double value)
+/// ", in km" for a key that has a unit.
+std::string inUnit(const Key& key)
 {
-  std::ostringstream text;
-  text << value;
-  return text.str();
+  const std::string unit = key.unit;
+  return unit.empty() || unit == "1" ? std::string() : ", in " + unit;
 }
 
 void assign(const Place& place, const Key& key, double& value)
@@ -49,13 +50,12 @@ void assign(const Place& place, const Key& key, double& value)
   if (!place.Node.IsScalar() || !YAML::convert<double>::decode(place.Node, value) ||
     !std::isfinite(value))
   {
-    place.fail(inQuotes(key.name) + " must be a number" +
-      (*key.unit ? std::string(", in ") + key.unit : std::string()));
+    place.fail(inQuotes(key.name) + " must be a number" + inUnit(key));
   }
   if (value < key.least || value > key.most)
   {
-    place.fail(inQuotes(key.name) + " is " + shortest(value) + "; it must be from " +
-      shortest(key.least) + " to " + shortest(key.most));
+    place.fail(inQuotes(key.name) + " is " + numberText(value) + "; it must be from " +
+      numberText(key.least) + " to " + numberText(key.most));
   }
 }
 
@@ -88,8 +88,8 @@ void assign(const Place& place, const Key& key, std::string& value)
   if (!key.choices.empty() &&
     std::find(key.choices.begin(), key.choices.end(), value) == key.choices.end())
   {
-    place.fail(inQuotes(key.name) + " cannot be " + inQuotes(value) + "; did you mean " +
-      inQuotes(nearest(value, key.choices)) + "?");
+    place.fail(
+      inQuotes(key.name) + " cannot be " + inQuotes(value) + "; " + suggestion(value, key.choices));
   }
 }
 
@@ -98,8 +98,8 @@ void assign(const Place& place, const Key& key, std::array<Number, N>& values)
 {
   if (!place.Node.IsSequence() || place.Node.size() != N)
   {
-    place.fail(inQuotes(key.name) + " must be a list of " + std::to_string(N) + " numbers" +
-      (*key.unit ? std::string(", in ") + key.unit : std::string()));
+    place.fail(
+      inQuotes(key.name) + " must be a list of " + std::to_string(N) + " numbers" + inUnit(key));
   }
   for (std::size_t i = 0; i < N; ++i)
   {
@@ -160,8 +160,8 @@ void refuseUnknown(
     if (std::find(known.begin(), known.end(), key) == known.end())
     {
       place.at(entry.first)
-        .fail("unknown key " + inQuotes(key) + " in " + inQuotes(what) + "; did you mean " +
-          inQuotes(nearest(key, known)) + "?");
+        .fail(
+          "unknown key " + inQuotes(key) + " in " + inQuotes(what) + "; " + suggestion(key, known));
     }
   }
 }
@@ -196,9 +196,9 @@ void refuseTogether(const Place& place, const TerrainBody& body)
   const double across = 1 + std::ceil(1000 * body.extent / body.spacing);
   if (across > Most)
   {
-    place.fail("terrain of 'extent' " + shortest(body.extent) + " km at 'spacing' " +
-      shortest(body.spacing) + " m is " + shortest(across) + " points wide; at most " +
-      shortest(Most) + ": give a smaller extent or a larger spacing");
+    place.fail("terrain of 'extent' " + numberText(body.extent) + " km at 'spacing' " +
+      numberText(body.spacing) + " m is " + numberText(across) + " points wide; at most " +
+      numberText(Most) + ": give a smaller extent or a larger spacing");
   }
 }
 
@@ -355,6 +355,7 @@ Scene parseScene(const std::string& text, const std::string& name)
       name + ":" + std::to_string(error.mark.line + 1) + ": is not YAML: " + error.msg);
   }
   Scene scene = readSections({ name, root });
+  scene.file = name;
   const auto fromScene = [&name](const std::string& file)
   { return (std::filesystem::path(name).parent_path() / file).lexically_normal().string(); };
   if (!scene.data.file.empty())
@@ -383,7 +384,9 @@ Scene readScene(const std::string& path)
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
   {
-    throw Failure(path + ": there is no such scene file");
+    throw Failure(path +
+      (std::filesystem::exists(path, error) ? ": is not a file; name a scene file"
+                                            : ": there is no such scene file"));
   }
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream text;

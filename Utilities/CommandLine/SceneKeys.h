@@ -29,7 +29,7 @@ struct Key
 template <class Visitor>
 void visitKeys(Picture& picture, Visitor&& visit)
 {
-  visit(Key{ "size", "pixels", "width and height", "[1024, 768]", 1, 32768 }, picture.size);
+  visit(Key{ "size", "pixels", "width and height", "[1024, 768]", 1, LargestSide }, picture.size);
   visit(
     Key{ "exposure", "stops", "each stop doubles the brightness", "0", -30, 30 }, picture.exposure);
   visit(Key{ "samples", "1", "rays across and up each pixel, averaged; 1 leaves outlines jagged",

@@ -7,6 +7,8 @@
 #include "OutputFile.h"
 #include "Progress.h"
 
+#include <NumberText.h>
+#include <vtkCallbackCommand.h>
 #include <vtkCloudNetCDFReader.h>
 #ifdef NEPHOSCOPE_OPENVDB
 #include <vtkCloudVDBWriter.h>
@@ -23,13 +25,6 @@ namespace nephoscope::program
 #ifdef NEPHOSCOPE_OPENVDB
 namespace
 {
-std::string figure(double value)
-{
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
 /// The time of a step as a text that means it and no other.
 std::string exactTime(vtkCloudNetCDFReader* reader, int step)
 {
@@ -72,7 +67,7 @@ void tell(vtkCloudVDBWriter* writer, const std::string& path)
     const double factor = writer->GetMassFactor(g);
     note(path + ": " + writer->GetGridName(g) + ", " +
       std::to_string(writer->GetNumberOfVoxels(g)) + " voxels" +
-      (factor > 0 ? ", sampled mass times " + figure(factor) : ""));
+      (factor > 0 ? ", sampled mass times " + numberText(factor) : ""));
   }
 }
 }
@@ -93,6 +88,10 @@ void writeVDB(const Data& data, const VDBOptions& options, const std::string& ou
   Progress progress;
   const vtkNew<vtkCloudVDBWriter> writer;
   setUp(writer, data, options);
+  const vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+    { static_cast<vtkCloudVDBWriter*>(caller)->SetAbortExecute(OutputFile::isInterrupted()); });
+  writer->AddObserver(vtkCommand::ProgressEvent, stop);
   for (int step = first; step <= last; ++step)
   {
     progress.watch(reader, "read");
@@ -107,7 +106,15 @@ void writeVDB(const Data& data, const VDBOptions& options, const std::string& ou
     progress.watch(writer, "voxels");
     writer->Write();
     progress.forget();
+    if (writer->GetErrorCode())
+    {
+      throw Failure(path + ": cannot be written; is the disk full?");
+    }
     Messages::throwIfError(data.file);
+    if (OutputFile::isInterrupted())
+    {
+      return;
+    }
     file.commit();
     tell(writer, path);
   }

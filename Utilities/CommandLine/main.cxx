@@ -39,8 +39,8 @@ int run(CLI::App& app, int argc, char** argv)
       {
         commands.push_back(command->get_name());
       }
-      note("there is no command '" + first + "'; did you mean '" + nearest(first, commands) +
-        "'? See nephoscope --help");
+      note("there is no command '" + first + "'; " + suggestion(first, commands) +
+        "; see nephoscope --help");
       return UsageError;
     }
     note(std::string(error.what()) + "; see nephoscope " +

@@ -43,8 +43,17 @@ TEST(Messages, KeepWhatMattersToAUser)
     bareMessage("ERROR: In /a b/vtkFoo.cxx, line 12\nvtkFoo (0x55aa): what\n  happened\n\n"),
     "what happened");
   EXPECT_EQ(bareMessage("Generic Warning: In /a.cxx, line 1\nbeware\n"), "beware");
+  EXPECT_EQ(bareMessage("ERROR: In /a.cxx, line 1\nvtkFoo (0x1): Algorithm vtkBar returned failure "
+                        "for request: vtkInformation (0x2)\n  Debug: Off\n"),
+    "Algorithm vtkBar failed");
   EXPECT_EQ(bareMessage("plain"), "plain");
   EXPECT_EQ(bareMessage(""), "");
+}
+
+TEST(Messages, AreOneLineOfText)
+{
+  EXPECT_EQ(printable("a\x1b[31m\nb \xc3\xa4"), "a?[31m?b \xc3\xa4");
+  EXPECT_EQ(printable(std::string(5000, 'x')), std::string(2000, 'x') + "...");
 }
 
 TEST(Messages, TheFirstErrorIsTheCause)

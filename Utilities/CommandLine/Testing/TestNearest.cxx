@@ -5,6 +5,7 @@
 
 using nephoscope::program::editDistance;
 using nephoscope::program::nearest;
+using nephoscope::program::suggestion;
 
 TEST(EditDistance, CountsInsertionsDeletionsAndReplacements)
 {
@@ -37,4 +38,12 @@ TEST(Nearest, IsTheFirstOfTheNearest)
   EXPECT_EQ(nearest("ab", { "ax", "ay" }), "ax");
   EXPECT_EQ(nearest("anything", {}), "");
   EXPECT_EQ(nearest("lat", { "up", "latitude" }), "latitude") << "a beginning is nearer";
+}
+
+TEST(Suggestion, NamesAllWhereNoneIsNear)
+{
+  const std::vector<std::string> known{ "surface", "texture" };
+  EXPECT_EQ(suggestion("surfce", known), "did you mean 'surface'?");
+  EXPECT_EQ(suggestion("tex", known), "did you mean 'texture'?");
+  EXPECT_EQ(suggestion("fog", known), "it can be surface, texture");
 }

@@ -105,6 +105,19 @@ TEST_F(OutputFileTest, SaysWhyItCannotBeWritten)
   EXPECT_NE(failureOf("/dev/null").find("is not a regular file"), std::string::npos);
 }
 
+TEST_F(OutputFileTest, IsNoneOfTheOthers)
+{
+  writeText(this->path("data.nc"), "precious");
+  fs::create_symlink("data.nc", this->path("link"));
+  const std::vector<std::string> others{ "", this->path("data.nc") };
+  EXPECT_NO_THROW(checkWritable(this->path("a.nc"), others));
+  const std::string around = "../" + this->Folder.filename().string() + "/data.nc";
+  for (const std::string& name : { std::string("data.nc"), std::string("link"), around })
+  {
+    EXPECT_THROW(checkWritable(this->path(name), others), UsageFailure) << name;
+  }
+}
+
 TEST(Extension, IsLowerCaseWithoutDot)
 {
   EXPECT_EQ(extensionOf("a/b.PNG"), "png");

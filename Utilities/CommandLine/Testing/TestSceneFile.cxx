@@ -101,6 +101,8 @@ TEST(SceneFile, WrongTypesSayWhatIsRight)
 {
   EXPECT_EQ(failureOf("picture: { exposure: bright }"),
     "folder/scene.yaml:1: 'exposure' must be a number, in stops");
+  EXPECT_EQ(failureOf("bodies: [{ type: surface, value: much }]"),
+    "folder/scene.yaml:1: 'value' must be a number");
   EXPECT_EQ(failureOf("picture: { exposure: .nan }"),
     "folder/scene.yaml:1: 'exposure' must be a number, in stops");
   EXPECT_EQ(failureOf("picture: { size: 640 }"),
@@ -196,7 +198,8 @@ TEST(SceneFile, NonsenseInLandscapesIsRefused)
     { "media: [{ type: haze, step: 0 }]", "'step' is 0; it must be from 0.001 to 1e+06" },
     { "media: [{ type: haze, anisotropy: 1 }]",
       "'anisotropy' is 1; it must be from -0.99 to 0.99" },
-    { "media: [{ type: haze, method: fast }]", "'method' cannot be 'fast'; did you mean 'exact'?" },
+    { "media: [{ type: haze, method: fast }]",
+      "'method' cannot be 'fast'; it can be exact, march, moments" },
     { "bodies: [{ type: terrain, extent: 0 }]", "'extent' is 0; it must be from 0.01 to 10000" },
     { "bodies: [{ type: terrain, relief: .inf }]", "'relief' must be a number, in m" },
     { "bodies: [{ type: water, wavelength: 0 }]",

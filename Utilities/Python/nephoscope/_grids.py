@@ -264,6 +264,8 @@ def grid(fields: Any, *, longitude: Any = None, latitude: Any = None, x: Any = N
     known = discovered(part for data in named.values() for part in (data if isinstance(data, (tuple, list)) else (data,)))
     known.update({key: value for key, value in (("longitude", longitude), ("latitude", latitude), ("x", x), ("y", y),
                                                 ("height", height), ("time", time)) if value is not None})
+    if any(np.size(coordinate) == 0 for coordinate in known.values()):
+        raise ValueError("a coordinate is empty; a grid needs a value at least of each")
     lying = _lying(known, geometry, plane=x is not None or y is not None)
     if lying is None:
         built: vtkDataSet = _image(named, spacing)

@@ -131,6 +131,10 @@ def camera_of(extent: Extent, longitude: float | None, latitude: float | None, b
         raise ValueError(f"view_angle={view_angle} is not between 0 and 180 degrees")
     if distance is not None and not distance > 0:
         raise ValueError(f"distance={distance} is not above 0")
+    for name, angle, most in (("longitude", longitude, 360), ("latitude", latitude, 90), ("bearing", bearing, 360),
+                              ("elevation", elevation, 90)):
+        if angle is not None and not abs(angle) <= most:
+            raise ValueError(f"{name}={angle} is not within {-most} and {most} degrees")
     if extent.globe:
         east, north = (-35.0, 20.0) if extent.whole else _place_of(extent.middle)
         toward_eye = _direction(east if longitude is None else longitude, north if latitude is None else latitude)

@@ -145,7 +145,7 @@ TEST(NetCDFReaderErrors, FractionBeyondOne)
   levels(file);
   cloud(file, 40);
   EXPECT_EQ(refusal(file),
-    "variable cl: its largest value is 40.000000, but a cloud fraction ends at 1; correct its "
+    "variable cl: its largest value is 40, but a cloud fraction ends at 1; correct its "
     "units "
     "('1'), to '%' if it is in per cent");
 }
@@ -212,7 +212,7 @@ TEST(NetCDFReaderErrors, TimeOutOfRange)
   file.variable(
     "cl", { "time", "lev", "lat", "lon" }, std::vector<double>(24, 0), { { "units", "1" } });
   EXPECT_EQ(refusal(file, 30000),
-    "time 30000.000000 s is out of range; the file has 0.000000 to 21600.000000 seconds since "
+    "time 30000 s is out of range; the file has 0 to 21600 seconds since "
     "2000-01-01T00:00:00");
 }
 
