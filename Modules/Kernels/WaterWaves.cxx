@@ -49,7 +49,7 @@ double WaterSlopes::density(double slopeX, double slopeY) const
 WaterWaves::WaterWaves(const WaterWavesParameters& p)
 {
   const int number = std::max(p.number, 1);
-  const double meanSquareSlope = 0.003 + 0.00512 * std::max(p.windSpeed, 0.0);
+  const double meanSquareSlope = p.windSpeed > 0 ? 0.003 + 0.00512 * p.windSpeed : 0;
   const double steepness = std::sqrt(2 * meanSquareSlope / number);
   const double downwind = std::atan2(p.wind[1], p.wind[0]);
   for (int n = 0; n < number; ++n)

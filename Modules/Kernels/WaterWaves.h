@@ -6,7 +6,7 @@
  * The surface is sum A_i sin(k_i . x - w_i t + p_i), of deep-water waves, w^2 = g k. Wavelengths fall geometrically from the longest
  * to the shortest, each with the same mean square slope, together that which Cox and Munk measured under a wind of U m/s,
  *
- *     mean square slope = 0.003 + 0.00512 U
+ *     mean square slope = 0.003 + 0.00512 U        (0 in a calm, U = 0)
  *
  * and directions lie about the wind's as cos^2 spreads them. A pixel sees slopes through a Gaussian filter whose standard deviation
  * is 3/4 of its footprint, which is long where the water is seen aslant: of each wave's slope there is left

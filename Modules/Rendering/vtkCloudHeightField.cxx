@@ -3,6 +3,7 @@
 
 #include "Camera.h"
 #include "CloudArrays.h"
+#include "CloudPanorama.h"
 #include "Cumulus.h"
 #include "DeepTile.h"
 #include "Exponential.h"
@@ -296,6 +297,39 @@ void vtkCloudHeightField::EmitPixel(
     }
     tile.add(x, y, segment);
   }
+}
+
+bool vtkCloudHeightField::Survey(
+  const nephoscope::Vector3& eye, nephoscope::CloudPanorama& panorama)
+{
+  if (!(this->FarDistance > 0) || !this->ReadField())
+  {
+    return false;
+  }
+  panorama =
+    nephoscope::CloudPanorama(nephoscope::HeightField(this->Ready->Shape), this->Ready->PlaneHeight,
+      { this->SunExtinction, this->ViewExtinction, this->BackgroundExtinction }, eye,
+      this->FarDistance);
+  return true;
+}
+
+nephoscope::Vector3 vtkCloudHeightField::RadianceOf(
+  double light, double transmittance, const nephoscope::Vector3& direction) const
+{
+  const nephoscope::Vector3 sun = nephoscope::normalized(
+    nephoscope::Vector3{ this->TowardSun[0], this->TowardSun[1], this->TowardSun[2] });
+  const double shine = this->Asymmetry == 0 ? 1 : phase(this->Asymmetry, dot(sun, direction));
+  // As of one stretch of cloud: 1 - exp(-view depth), from exp(-background depth).
+  const double glow = transmittance < 1 && this->BackgroundExtinction > 0
+    ? 1 - std::pow(std::max(transmittance, 0.0), this->ViewExtinction / this->BackgroundExtinction)
+    : 0;
+  nephoscope::Vector3 radiance{};
+  for (int c = 0; c < 3; ++c)
+  {
+    radiance[c] = this->SunColor[c] * (1 - this->Ambient) * shine * light +
+      this->SkyColor[c] * this->Ambient * glow;
+  }
+  return radiance;
 }
 
 void vtkCloudHeightField::PrintSelf(ostream& os, vtkIndent indent)

@@ -31,6 +31,14 @@
 #include <memory> // for members
 #include <string> // for members
 
+#ifndef __VTK_WRAP__
+namespace nephoscope
+{
+class CloudPanorama;
+struct Vector3;
+}
+#endif
+
 class VTKCLOUDRENDERING_EXPORT vtkCloudHeightField : public vtkCloudLitBody
 {
 public:
@@ -103,6 +111,13 @@ public:
 #ifndef __VTK_WRAP__
   bool Prepare(const nephoscope::Camera& camera) override;
   void Emit(const nephoscope::Camera& camera, nephoscope::DeepTile& tile) const override;
+
+  /// Where the clouds stand and how they look from a point below them, for water that mirrors them. The input is up to date. Returns
+  /// false, after vtkErrorMacro, without an input that has a height field.
+  bool Survey(const nephoscope::Vector3& eye, nephoscope::CloudPanorama& panorama);
+  /// The radiance of clouds of a panorama.
+  nephoscope::Vector3 RadianceOf(
+    double light, double transmittance, const nephoscope::Vector3& direction) const;
 #endif
 
 protected:

@@ -2,6 +2,7 @@
 #include "vtkCloudWater.h"
 
 #include "Camera.h"
+#include "CloudPanorama.h"
 #include "DeepTile.h"
 #include "Fresnel.h"
 #include "HeightGrid.h"
@@ -9,6 +10,7 @@
 #include "SurfaceShade.h"
 #include "WaterWaves.h"
 #include "vtkCloudBackdrop.h"
+#include "vtkCloudHeightField.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -75,6 +77,8 @@ public:
   nephoscope::HeightGrid Hills;
   nephoscope::SurfaceShade Shade; ///< of the water's depth
   const vtkCloudBackdrop* Sky = nullptr;
+  nephoscope::CloudPanorama Panorama;
+  const vtkCloudHeightField* Lit = nullptr; ///< the clouds of the panorama
   Vector3 CloudEdge, CloudCore, Land;
   vtkMTimeType Read = 0;
 
@@ -152,9 +156,15 @@ private:
       sky = { radiance[0], radiance[1], radiance[2] };
     }
     // The clouds are blurred by the slopes between two nodes.
+    const double blur = std::sqrt(hit.Slopes.xx + hit.Slopes.yy);
+    if (this->Lit)
+    {
+      const auto clouds = this->Panorama.at(hit.At, up, blur);
+      return clouds.transmittance * sky +
+        this->Lit->RadianceOf(clouds.light, clouds.transmittance, up);
+    }
     const double way = (this->Clouds.height - hit.At[2]) / up[2];
-    const double clear =
-      this->Clouds.at(hit.At, up, way * std::sqrt(hit.Slopes.xx + hit.Slopes.yy));
+    const double clear = this->Clouds.at(hit.At, up, way * blur);
     return clear * sky + (1 - clear) * (clear * this->CloudEdge + (1 - clear) * this->CloudCore);
   }
 
@@ -203,7 +213,21 @@ vtkCloudBackdrop* vtkCloudWater::GetBackdrop() const
   return this->Backdrop;
 }
 
-bool vtkCloudWater::Prepare(const nephoscope::Camera&)
+void vtkCloudWater::SetClouds(vtkCloudHeightField* clouds)
+{
+  if (this->Clouds != clouds)
+  {
+    this->Clouds = clouds;
+    this->Modified();
+  }
+}
+
+vtkCloudHeightField* vtkCloudWater::GetClouds() const
+{
+  return this->Clouds;
+}
+
+bool vtkCloudWater::Prepare(const nephoscope::Camera& camera)
 {
   Sea& sea = *this->Ready;
   if (sea.Read < this->GetInputsMTime())
@@ -238,6 +262,13 @@ bool vtkCloudWater::Prepare(const nephoscope::Camera&)
   sea.CloudEdge = vectorOf(this->CloudEdgeColor);
   sea.CloudCore = vectorOf(this->CloudCoreColor);
   sea.Land = vectorOf(this->LandColor);
+  const bool isLit = this->Clouds && this->Clouds->GetVisibility() && !camera.isParallel();
+  sea.Lit = isLit ? this->Clouds.Get() : nullptr;
+  const Vector3& eye = camera.eye();
+  if (sea.Lit && !this->Clouds->Survey({ eye[0], eye[1], 2 * this->Level - eye[2] }, sea.Panorama))
+  {
+    return false;
+  }
   if (!(length(sea.Shade.towardSun) > 0))
   {
     vtkErrorMacro("TowardSun (0, 0, 0) is no direction; give another.");
@@ -314,5 +345,6 @@ void vtkCloudWater::PrintSelf(ostream& os, vtkIndent indent)
   print("CloudCoreColor", this->CloudCoreColor);
   print("LandColor", this->LandColor);
   os << indent << "HeightScale: " << this->HeightScale << '\n';
+  os << indent << "Clouds: " << this->Clouds.Get() << '\n';
   os << indent << "Backdrop: " << this->Backdrop.Get() << '\n';
 }

@@ -9,13 +9,14 @@
  * Method   the plane z = Level, with slopes of nephoscope::WaterWaves as a pixel sees them: those it resolves, and the rest as
  *          roughness. Over the rough slopes, by Gauss-Hermite quadrature (5 nodes along the line of sight) and by lot across weighted by the area that the eye sees of each,
  *              F (what is reflected) + (1 - F) WaterColor (light of sun and sky),   F by Fresnel with index 1.34
- *          Reflected rays see the Backdrop, the hills in one colour, and the clouds as Max 1986, section 6 has them: where
- *          they meet the cloud plane its transmittance c mixes CloudEdgeColor with CloudCoreColor, and that with the sky behind.
+ *          Reflected rays see the Backdrop, the hills in one colour, and the Clouds in the light that they send
+ *          to the eye's mirror image (CloudPanorama.h). Without Clouds they see them as Max 1986, section 6 has them: where they meet
+ *          the cloud plane its transmittance c mixes CloudEdgeColor with CloudCoreColor, and that with the sky behind.
  *          The sun's glitter is pi SunColor c F p / (4 V_z n_z^4), p the density of the slopes that mirror it (Cox and Munk 1954).
  *          Light that comes back out of the water is dimmed by the clouds' shadow.
  * Errors   another image, a sun without direction: vtkErrorMacro, nothing is drawn.
  * Cost     some 3 us a pixel with 72 waves where no other opaque body stands before it. Thread-safe; the same bits for any number of threads.
- * Limits   waves have slopes but no height: they hide nothing, and a resolved face counts by its place on the plane, not by the area
+ * Limits   a parallel picture has clouds as without Clouds. There is no haze before what is mirrored. Waves have slopes but no height: they hide nothing, and a resolved face counts by its place on the plane, not by the area
  *          that the eye sees of it. Rays that are mirrored downward see the horizon.
  *          From below the surface nothing is seen of it.
  * @sa nephoscope::WaterWaves, vtkCloudTerrain
@@ -30,6 +31,7 @@
 #include <memory> // for members
 
 class vtkCloudBackdrop;
+class vtkCloudHeightField;
 
 class VTKCLOUDRENDERING_EXPORT vtkCloudWater : public vtkCloudLitBody
 {
@@ -44,7 +46,7 @@ public:
   vtkGetMacro(Level, double);
   ///@}
   ///@{
-  /// Wind over the water, m/s, 0 to 30: makes it rough. Default 5.
+  /// Wind over the water, m/s, 0 to 30: makes it rough; 0 is a calm, without waves. Default 5.
   vtkSetClampMacro(WindSpeed, double, 0, 30);
   vtkGetMacro(WindSpeed, double);
   ///@}
@@ -87,6 +89,12 @@ public:
   /// Factor on the hills' heights. Default 1.
   vtkSetMacro(HeightScale, double);
   vtkGetMacro(HeightScale, double);
+  ///@}
+  ///@{
+  /// The clouds that are reflected, a body of the same vtkCloudscape: with the light that they send. Default none: those of port 0, in
+  /// CloudEdgeColor and CloudCoreColor.
+  void SetClouds(vtkCloudHeightField* clouds);
+  vtkCloudHeightField* GetClouds() const;
   ///@}
   ///@{
   /// The sky that is reflected. Default none: SkyColor everywhere.
@@ -132,5 +140,6 @@ private:
   class Sea;
   std::unique_ptr<Sea> Ready;
   vtkSmartPointer<vtkCloudBackdrop> Backdrop;
+  vtkSmartPointer<vtkCloudHeightField> Clouds;
 };
 #endif

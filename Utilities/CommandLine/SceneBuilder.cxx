@@ -216,6 +216,7 @@ public:
     clouds->GetSunColor(sun);
     clouds->SetSunColor(body.sunlight * sun[0], body.sunlight * sun[1], body.sunlight * sun[2]);
     this->Built.scape->AddBody(clouds);
+    this->Clouds = clouds;
     const auto shadow = vtkSmartPointer<vtkCloudHeightFieldShadow>::New();
     shadow->SetInputConnection(shape->GetOutputPort());
     this->placeShadow(shadow, body);
@@ -277,6 +278,7 @@ private:
   BuiltScene Built;
   vtkSmartPointer<vtkAlgorithm> Hills;
   vtkSmartPointer<vtkAlgorithm> Shadow; // of the clouds
+  vtkSmartPointer<vtkCloudHeightField> Clouds;
   std::vector<vtkSmartPointer<vtkCloudWater>> Waters;
   std::vector<std::pair<vtkSmartPointer<vtkCloudBody>, int>> Shaded; // and the port for the shadow
 };
@@ -327,6 +329,7 @@ void Builder::joinLandscape()
 {
   for (const auto& water : this->Waters)
   {
+    water->SetClouds(this->Clouds);
     if (this->Hills)
     {
       water->SetInputConnection(1, this->Hills->GetOutputPort());
