@@ -54,6 +54,13 @@ struct LogChart
   bool linearGuide = false; ///< a dashed line of slope 1 through the first curve's first point
 };
 
+/// A chart that no method was measured for.
+struct NamedChart
+{
+  std::string name; ///< of the files
+  LogChart chart;
+};
+
 /// The points that no other one is at least as good as in x and y and better in one, by x.
 std::vector<ChartPoint> paretoFront(const std::vector<ChartPoint>& points);
 

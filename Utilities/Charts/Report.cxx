@@ -2,6 +2,9 @@
 #include "Report.h"
 
 #include "ChartFiles.h"
+#ifdef NEPHOSCOPE_FITS
+#include "FitCharts.h"
+#endif
 #include "LogChart.h"
 #include "ReportText.h"
 
@@ -218,9 +221,17 @@ void writeReport(const ReportOptions& options)
     results.push_back(measureStudy(study, options));
     writeChart(results.back(), options.folder);
   }
+  std::vector<NamedChart> fits;
+#ifdef NEPHOSCOPE_FITS
+  fits = fitCharts(options.quick, options.progress);
+#endif
+  for (const NamedChart& fit : fits)
+  {
+    writeChartFiles(fit.chart, options.folder, fit.name);
+  }
   const std::filesystem::path folder(options.folder);
-  writeText(folder / "chart.json", jsonText(results, options));
-  writeText(folder / "index.html", pageText(results, options));
+  writeText(folder / "chart.json", jsonText(results, fits, options));
+  writeText(folder / "index.html", pageText(results, fits, options));
 }
 }
 }

@@ -51,7 +51,7 @@ struct StudyResult
 /// The selection.
 std::vector<Study> studies(bool quick, int threads);
 
-/// Measure all studies and write DIR/chart.json, DIR/NAME.svg, DIR/NAME.png for each, DIR/index.html. Throws
+/// Measure all studies and write DIR/chart.json, DIR/NAME.svg, DIR/NAME.png for each, DIR/index.html; with Ceres, charts of fits too. Throws
 /// std::runtime_error. Call it while this process has a single thread.
 void writeReport(const ReportOptions& options);
 }

@@ -70,6 +70,25 @@ Json measurementJson(const Measurement& m)
   return json;
 }
 
+Json curveJson(const ChartCurve& curve)
+{
+  Json json;
+  for (const ChartPoint& p : curve.points)
+  {
+    json["name"] = p.name;
+    json["detail"] = p.detail;
+    json["points"].push_back({ p.x, p.y });
+  }
+  return json;
+}
+
+/// A chart's title and picture.
+std::string heading(const std::string& name, const std::string& title)
+{
+  return "<h2>" + escaped(title) + "</h2>\n<img src=\"" + name + ".svg\" alt=\"" + escaped(title) +
+    "\">\n";
+}
+
 std::string figureText(const Measurement& m, const char* name)
 {
   const auto found = m.figures.find(name);
@@ -242,7 +261,8 @@ std::string subtitleOf(const StudyResult& result)
   return text + (leftOut > 0 ? ", " + std::to_string(leftOut) + " left out (see the table)" : "");
 }
 
-std::string jsonText(const Results& results, const ReportOptions& options)
+std::string jsonText(
+  const Results& results, const std::vector<NamedChart>& fits, const ReportOptions& options)
 {
   Json json = { { "quick", options.quick }, { "threads", options.threads },
     { "processor", processor() }, { "cores", std::thread::hardware_concurrency() },
@@ -265,10 +285,21 @@ std::string jsonText(const Results& results, const ReportOptions& options)
     }
     json["studies"].push_back(entry);
   }
+  for (const NamedChart& fit : fits)
+  {
+    Json curves = Json::array();
+    for (const ChartCurve& curve : fit.chart.curves)
+    {
+      curves.push_back(curveJson(curve));
+    }
+    json["fits"].push_back({ { "name", fit.name }, { "x", fit.chart.xLabel },
+      { "y", fit.chart.yLabel }, { "curves", curves } });
+  }
   return json.dump(2) + "\n";
 }
 
-std::string pageText(const Results& results, const ReportOptions& options)
+std::string pageText(
+  const Results& results, const std::vector<NamedChart>& fits, const ReportOptions& options)
 {
   std::string page =
     "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -288,11 +319,13 @@ std::string pageText(const Results& results, const ReportOptions& options)
     "figures: <a href=\"chart.json\">chart.json</a>.</p>\n";
   for (const auto& result : results)
   {
-    const std::string title = escaped(titleOf(result.study));
-    page += "<h2>" + title + "</h2>\n<img src=\"" + result.study.name + ".svg\" alt=\"" + title +
-      "\">\n" +
+    page += heading(result.study.name, titleOf(result.study)) +
       (result.choices.empty() ? "" : "<p>" + escaped(choicesText(result.choices)) + ".</p>\n") +
       tableText(result.measured);
+  }
+  for (const NamedChart& fit : fits)
+  {
+    page += heading(fit.name, fit.chart.title);
   }
   return page + "</body>\n</html>\n";
 }

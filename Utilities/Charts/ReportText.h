@@ -6,6 +6,7 @@
 #ifndef ReportText_h
 #define ReportText_h
 
+#include "LogChart.h"
 #include "Report.h"
 
 namespace nephoscope
@@ -23,8 +24,10 @@ std::string subtitleOf(const StudyResult& result);
 /// "taken for 0.1, 0.01", or nothing.
 std::string tolerancesOf(const performance::Method& method, const std::vector<Choice>& choices);
 
-std::string jsonText(const Results& results, const ReportOptions& options);
-std::string pageText(const Results& results, const ReportOptions& options);
+std::string jsonText(
+  const Results& results, const std::vector<NamedChart>& fits, const ReportOptions& options);
+std::string pageText(
+  const Results& results, const std::vector<NamedChart>& fits, const ReportOptions& options);
 }
 }
 #endif

@@ -229,12 +229,13 @@ TEST(ReportText, TellsWhatCannotBeReached)
   result.choices = { { 0.1, "March, steps of 5 m", 2e-3 }, { 0.01, "March, steps of 5 m", 2e-3 },
     { 0.001, "", 2e-3 } };
   EXPECT_EQ(tolerancesOf(m.method, result.choices), "taken for 0.1, 0.01");
-  const std::string page = pageText({ result }, {});
+  const std::string page = pageText({ result }, {}, {});
   EXPECT_NE(page.find("0.01: March, steps of 5 m; 0.001: cannot be reached, 0.002 can."),
     std::string::npos);
   EXPECT_NE(subtitleOf(result).find("0.001 cannot be reached"), std::string::npos);
-  EXPECT_TRUE(nlohmann::json::parse(jsonText({ result }, {}))["studies"][0]["choices"][2]["method"]
-                .is_null());
+  EXPECT_TRUE(
+    nlohmann::json::parse(jsonText({ result }, {}, {}))["studies"][0]["choices"][2]["method"]
+      .is_null());
 }
 
 TEST(LogChart, MarksAreRingsWithWords)
@@ -278,4 +279,27 @@ TEST_F(Scratch, ReportHasEveryMethodOrSaysWhyNot)
     }
   }
   EXPECT_GT(std::filesystem::file_size(options.folder + "/index.html"), 2000U);
+  if (!json.contains("fits"))
+  {
+    GTEST_SKIP() << "built without Ceres: no charts of fits";
+  }
+  // Powers reach as far as they like, to what is documented; polynomials fail with their range, quartics last.
+  const auto& curves = json["fits"][0]["curves"];
+  ASSERT_EQ(json["fits"][0]["name"], "transmittance");
+  for (int n = 0; n < 3; ++n)
+  {
+    const auto& polynomial = curves[n]["points"];
+    EXPECT_LT(polynomial.front()[1], 0.01 * polynomial.back()[1].get<double>());
+    EXPECT_GT(curves[n + 3]["points"].back()[1], 0.03);
+  }
+  EXPECT_GT(curves[0]["points"][2][1], 5 * curves[1]["points"][2][1].get<double>());
+  EXPECT_GT(curves[1]["points"][2][1], 5 * curves[2]["points"][2][1].get<double>());
+  // More Gaussians, less error in optical depths; a sharp edge stays wrong.
+  for (const auto& curve : json["fits"][1]["curves"])
+  {
+    const auto& points = curve["points"];
+    EXPECT_GT(points.back()[0], points.front()[0]);
+    EXPECT_LT(points.back()[1], points.front()[1]);
+    EXPECT_GT(curve["detail"] == "the density itself" ? points.back()[1].get<double>() : 1, 0.05);
+  }
 }
