@@ -103,7 +103,7 @@ Json parsed(const std::string& path)
   catch (const Json::parse_error& error)
   {
     throw ReadError(path + ": is cut short or no JSON, at byte " + std::to_string(error.byte) +
-      "; make it again with nephoscope fit");
+      "; make it again with nephoscope fit or calibrate");
   }
 }
 
@@ -117,7 +117,7 @@ void checkHead(const std::string& path, Json& json)
   const Json version = json.value("version", Json());
   if (!version.is_number_integer() || version < 1)
   {
-    throw ReadError(path + ": has no version; make it again with nephoscope fit");
+    throw ReadError(path + ": has no version; make it again with nephoscope fit or calibrate");
   }
   if (version > Version)
   {
@@ -131,7 +131,8 @@ void checkHead(const std::string& path, Json& json)
     const Json command = json.value("command", Json());
     throw ReadError(path + ": was edited by hand, so its errors are not those of its constants; " +
       "make it again with " +
-      (command.is_string() ? command.get<std::string>() : "nephoscope fit") + " -o " + path);
+      (command.is_string() ? command.get<std::string>() : "nephoscope fit or calibrate") + " -o " +
+      path);
   }
 }
 }
@@ -175,7 +176,7 @@ std::string calibrationText(const Calibration& calibration)
   return lines(json);
 }
 
-Calibration readCalibration(const std::string& path)
+Calibration readCalibration(const std::string& path, const std::string& what)
 {
   Json json = parsed(path);
   checkHead(path, json);
@@ -191,12 +192,18 @@ Calibration readCalibration(const std::string& path)
   }
   catch (const Json::exception&)
   {
-    throw ReadError(path + ": lacks a part of a calibration; make it again with nephoscope fit");
+    throw ReadError(
+      path + ": lacks a part of a calibration; make it again with nephoscope fit or calibrate");
   }
   const std::string wrong = whatIsWrong(calibration);
   if (!wrong.empty())
   {
     throw ReadError(path + ": " + wrong);
+  }
+  if (!what.empty() && calibration.what != what)
+  {
+    throw ReadError(
+      path + ": has constants of '" + calibration.what + "', not of '" + what + "'; give another");
   }
   return calibration;
 }

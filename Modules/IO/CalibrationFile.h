@@ -26,8 +26,8 @@
 namespace nephoscope
 {
 /// @throw ReadError in one line that begins with the path: missing, cut short or no JSON, not a calibration, of a newer version, edited
-///        by hand, or with values that cannot be
-Calibration readCalibration(const std::string& path);
+///        by hand, with values that cannot be, or of something other than `what` if that is given
+Calibration readCalibration(const std::string& path, const std::string& what = {});
 
 /// The file's text; the same bytes for the same calibration.
 std::string calibrationText(const Calibration& calibration);

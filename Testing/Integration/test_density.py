@@ -121,7 +121,7 @@ class Constants(ProgramTest):
         self.assert_refused(self.draw("newer.json")[0], 1, "newer.json: is of version 9, newer than 1")
         other = (ROOT / "Data" / "Calibration" / "slab.json").read_text()
         (self.folder / "other.json").write_text(other)
-        self.assert_refused(self.draw("other.json")[0], 1, "has no fit 'printed with gain")
+        self.assert_refused(self.draw("other.json")[0], 1, "other.json: has constants of 'slab', not of 'heightfield'")
 
 
 if __name__ == "__main__":

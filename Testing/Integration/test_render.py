@@ -96,8 +96,10 @@ class Render(ProgramTest):
 
     def test_a_calibration_that_cannot_be_used_is_told(self):
         shipped = (ROOT / "Data" / "Calibration" / "methods.json").read_text()
+        slab = (ROOT / "Data" / "Calibration" / "slab.json").read_text()
         for text, words in ((shipped[:1000], "cut short"), (shipped.replace('"version": 1', '"version": 9'), "newer"),
-                            (shipped.replace('"value":', '"value":1', 1), "edited by hand")):
+                            (shipped.replace('"value":', '"value":1', 1), "edited by hand"),
+                            (slab, "has constants of 'slab', not of 'methods'")):
             (self.folder / "methods.json").write_text(text)
             scene = self.folder / "scene.yaml"
             scene.write_text("quality: { tolerance: 0.1 }\ndata: { file: %s }\nbodies: [{ type: volume }]\n" % SAMPLE)

@@ -20,7 +20,7 @@ bool readShipped(Calibration& calibration)
 {
   try
   {
-    calibration = readCalibration(calibrationPath("heightfield"));
+    calibration = readCalibration(calibrationPath("heightfield"), "heightfield");
     return true;
   }
   catch (const ReadError& error)
@@ -54,7 +54,7 @@ void setConstants(vtkCloudHeightField* clouds, const HeightFieldBody& body)
   Calibration calibration;
   if (body.calibration != "shipped")
   {
-    calibration = readCalibration(body.calibration);
+    calibration = readCalibration(body.calibration, "heightfield");
   }
   else if (!readShipped(calibration))
   {

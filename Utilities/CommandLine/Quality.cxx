@@ -19,7 +19,7 @@ void useCalibration(vtkCloudModelSelector* selector)
 {
   try
   {
-    selector->SetCalibration(readCalibration(calibrationPath("methods")));
+    selector->SetCalibration(readCalibration(calibrationPath("methods"), "methods"));
   }
   catch (const std::runtime_error& error)
   {

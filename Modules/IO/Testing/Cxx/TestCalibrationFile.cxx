@@ -123,7 +123,7 @@ TEST_F(CalibrationFile, SaysThatItWasEdited)
   EXPECT_THAT(
     this->Error(), HasSubstr("make it again with nephoscope fit transmittance -o " + this->Path));
   this->Write(Edited("\"command\": \"nephoscope fit transmittance\"", "\"command\": 7"));
-  EXPECT_THAT(this->Error(), HasSubstr("make it again with nephoscope fit -o"));
+  EXPECT_THAT(this->Error(), HasSubstr("make it again with nephoscope fit or calibrate -o"));
 }
 
 TEST_F(CalibrationFile, SaysThatItIsSomethingElse)
