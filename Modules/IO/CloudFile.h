@@ -36,7 +36,6 @@ public:
 
   const RoleVariable* find(Role role) const; ///< nullptr if the file has none
   const FileVariable& master() const { return *this->Master; }
-  Role masterRole() const { return this->MasterRole; }
   bool isWRF() const { return this->WRF; }
   /// The 1-D variable or another by name; throws ReadError that names who wants it.
   const FileVariable& require(const std::string& name, const std::string& wantedBy) const;

@@ -338,12 +338,6 @@ const FileVariable* NetCDFFile::find(const std::string& name) const
   return nullptr;
 }
 
-std::string NetCDFFile::globalText(const std::string& name) const
-{
-  const auto found = this->Globals.find(name);
-  return found == this->Globals.end() ? std::string() : found->second.text;
-}
-
 bool NetCDFFile::globalNumber(const std::string& name, double& value) const
 {
   const auto found = this->Globals.find(name);

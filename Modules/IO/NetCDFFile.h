@@ -55,7 +55,6 @@ public:
   const std::vector<FileDimension>& dimensions() const { return this->Dimensions; }
   const std::vector<FileVariable>& variables() const { return this->Variables; }
   const FileVariable* find(const std::string& name) const; ///< nullptr if not there
-  std::string globalText(const std::string& name) const;
   bool globalNumber(const std::string& name, double& value) const;
   /// @throws ReadError if so many values are more than a file of this length can hold, compressed or not
   void checkSize(const FileVariable& variable, const std::vector<std::size_t>& count) const;
