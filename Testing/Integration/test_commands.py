@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """info, convert and the command line itself."""
 import json
+import os
 import pathlib
+import pty
 import shutil
+import subprocess
 
 import netCDF4
 
-from program import ROOT, SAMPLE, SHARED, ProgramTest, main, run, run_on_full_disk
+from program import PROGRAM, ROOT, SAMPLE, SHARED, ProgramTest, main, run, run_on_full_disk
 
 
 class CommandLine(ProgramTest):
@@ -173,6 +176,15 @@ class Fit(ProgramTest):
         written = json.loads((self.folder / "a.json").read_text())
         self.assertEqual((written["format"], written["version"]), ("nephoscope calibration", 1))
         self.assertEqual(written["command"], "nephoscope fit transmittance --range 0:2")
+
+    def test_a_terminal_has_a_progress_bar(self):
+        self.assert_done(self.fit("slab"))
+        ours, theirs = pty.openpty()
+        done = subprocess.run([PROGRAM, "fit", "slab"], stdout=subprocess.PIPE, stderr=theirs, timeout=240, check=True)
+        os.close(theirs)
+        self.assertRegex(os.read(ours, 4096), rb"fit +\[#* *\] +\d+ %")
+        os.close(ours)
+        self.assertNotIn(b"\r", done.stdout)
 
     def test_shipped_calibrations_are_what_their_commands_make(self):
         """To the digits that another machine's exponentials leave: slab, the quickest, stands for all."""

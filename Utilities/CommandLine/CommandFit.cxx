@@ -110,6 +110,15 @@ DensityGrid densityOf(const FitOptions& options, Progress& progress)
                      "FILE.vti, or --scene FILE --box X0,X1,Y0,Y1,Z0,Z1");
 }
 
+FitProgress barOf(Progress& progress)
+{
+  return [&progress](double done)
+  {
+    progress.show("fit", done);
+    return true;
+  };
+}
+
 Calibration fittedDensity(const FitOptions& options)
 {
   Progress progress;
@@ -119,19 +128,19 @@ Calibration fittedDensity(const FitOptions& options)
   const int terms = options.terms.value_or(32);
   command << "nephoscope fit density" << sourceOf(options) << " --tolerance " << tolerance
           << " --terms " << terms;
-  return { "density", command.str(), fitDensity(density, { tolerance, terms }) };
+  return { "density", command.str(), fitDensity(density, { tolerance, terms }, barOf(progress)) };
 }
 
 Calibration fittedConstants(const FitOptions& options)
 {
   const std::optional<FitRange> range = rangeOf(options.range);
+  Progress progress;
   if (options.scene.empty() && options.data.file.empty())
   {
-    return runFit(options.what, range);
+    return runFit(options.what, range, barOf(progress));
   }
-  Progress progress;
-  Calibration calibration =
-    runFit(options.what, range, nullptr, depthsOf(sceneOf(options), progress));
+  const std::vector<double> depths = depthsOf(sceneOf(options), progress);
+  Calibration calibration = runFit(options.what, range, barOf(progress), depths);
   calibration.command += sourceOf(options);
   return calibration;
 }

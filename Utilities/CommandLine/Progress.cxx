@@ -70,7 +70,7 @@ void Progress::watch(vtkAlgorithm* algorithm, const std::string& name)
 void Progress::show(const std::string& name, double done)
 {
   const auto now = std::chrono::steady_clock::now();
-  if (this->Shown && now - this->Last < std::chrono::milliseconds(100))
+  if (!this->Terminal || (this->Shown && now - this->Last < std::chrono::milliseconds(100)))
   {
     return;
   }

@@ -29,9 +29,10 @@ public:
   /// Stop watching, and clear the bar.
   void forget();
 
-private:
+  /// How far something else has come, 0 to 1.
   void show(const std::string& name, double done);
 
+private:
   struct Watched
   {
     vtkAlgorithm* Algorithm;
