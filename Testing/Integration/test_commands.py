@@ -129,6 +129,7 @@ class Convert(ProgramTest):
         done = run("convert", undated, self.folder / "a.vtp", "--time", "2")
         self.assert_done(done)
         self.assertIn(str(undated) + ": step 2 of 0 to 3\n", done.stderr)
+        self.assert_refused(run("convert", undated, self.folder / "b.vts", "--time", "9"), 1, "the file has steps 0 to 3")
 
     def test_more_cloud_is_within_less(self):
         _, low = self.convert("low.vtp", "--value", "0.05")

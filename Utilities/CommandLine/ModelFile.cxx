@@ -29,7 +29,10 @@ std::string stepsOf(vtkCloudNetCDFReader* reader)
 {
   const int last = reader->GetNumberOfTimeSteps() - 1;
   const auto step = [reader](int i)
-  { return std::to_string(i) + " (" + reader->GetTimeLabel(i) + ")"; };
+  {
+    const std::string label = reader->GetTimeLabel(i); // empty if the axis has no dates
+    return std::to_string(i) + (label.empty() ? "" : " (" + label + ")");
+  };
   return last < 0 ? "no time axis"
     : last == 0   ? "the one step " + step(0)
                   : "steps " + step(0) + " to " + step(last);
