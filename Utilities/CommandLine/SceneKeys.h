@@ -257,7 +257,9 @@ template <class Visitor>
 void visitKeys(WaterBody& body, Visitor&& visit)
 {
   visit(Key{ "level", "m", "of the water", "0", -1e5, 1e5 }, body.level);
-  visit(Key{ "wind", "m/s", "over the water; makes it rough", "5", 0, 30 }, body.wind);
+  visit(
+    Key{ "wind", "m/s", "over the water; makes it rough; 0: a calm, without waves", "5", 0, 30 },
+    body.wind);
   visit(Key{ "direction", "degrees", "compass direction where the wind blows to", "70", -360, 360 },
     body.direction);
   visit(Key{ "wavelength", "m", "longest wave", "40", 0.1, 1000 }, body.wavelength);
