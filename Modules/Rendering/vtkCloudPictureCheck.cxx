@@ -7,6 +7,7 @@
 #include "vtkCamera.h"
 #include "vtkCloudModelSelector.h"
 #include "vtkCloudscape.h"
+#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
@@ -121,6 +122,9 @@ bool vtkCloudPictureCheck::Check(vtkCloudscape* scape)
       this->Exact.push_back(c);
     }
     this->Errors.push_back(nephoscope::radianceError(radiance, exact));
+    double done =
+      static_cast<double>(this->Errors.size()) / static_cast<double>(this->Pixels.size());
+    this->InvokeEvent(vtkCommand::ProgressEvent, &done);
   }
   this->MedianError = nephoscope::quantile(this->Errors, 0.5);
   this->Error95 = nephoscope::quantile(this->Errors, 0.95);

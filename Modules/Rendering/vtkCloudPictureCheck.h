@@ -9,6 +9,7 @@
  *
  * Input    a vtkCloudscape whose output is up to date. Its bodies keep the exact methods; its output stays.
  * Output   errors of radiance, relative (nephoscope/RadianceError.h): median, 95 %, largest.
+ * Events   ProgressEvent after each pixel, with the share of them that is done.
  * Errors   no cloudscape with a picture: vtkErrorMacro, false.
  * Cost     that of getting every body ready for each ray: milliseconds, a tenth of a second for a large cell volume.
  * Limits   textures and terrain are drawn as they are: what they show is their method.

@@ -20,6 +20,7 @@ vtkStandardNewMacro(vtkCloudTerrainSource);
 namespace
 {
 constexpr double MostPoints = 1 << 28;
+constexpr double MostWavelengths = 1 << 19; // what FractalHills::row takes, with room
 
 bool isPositive(double number)
 {
@@ -47,6 +48,18 @@ bool vtkCloudTerrainSource::Validate()
     vtkErrorMacro("Spacing " << this->Spacing << " and Wavelength " << this->Wavelength
                              << " have to be numbers above 0, metres.");
     return false;
+  }
+  double origin[3];
+  this->GetOrigin(origin);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double end = origin[axis] + (n[axis] - 1) * this->Spacing;
+    if (!(std::fmax(std::fabs(origin[axis]), std::fabs(end)) <= MostWavelengths * this->Wavelength))
+    {
+      vtkErrorMacro("Points lie farther than 2^19 Wavelengths of "
+        << this->Wavelength << " m from (0, 0); give another Center, or a longer Wavelength.");
+      return false;
+    }
   }
   return true;
 }

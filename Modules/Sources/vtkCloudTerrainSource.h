@@ -7,8 +7,8 @@
  *          the sea; the sea's bottom is below 0).
  * Parameters: see the setters.
  * Method   nephoscope::FractalHills: octaves of gradient noise, worn where they are steep. Rows are made in parallel.
- * Errors   fewer than 2 points either way, or over 2^28 in all; a Spacing or Wavelength that is not a number above 0:
- *          vtkErrorMacro, an empty output.
+ * Errors   fewer than 2 points either way, or over 2^28 in all; a Spacing or Wavelength that is not a number above 0; points over
+ *          2^19 Wavelengths from (0, 0): vtkErrorMacro, an empty output.
  * Cost     some 0.12 us a point; the same bits for any number of threads. Reports no progress: 1000 x 1000 points take less than
  *          a second.
  * Limits   hills, not a likeness of any place on Earth: no rivers, no coasts but where the sea drowns them.

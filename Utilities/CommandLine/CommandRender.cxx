@@ -201,7 +201,7 @@ void runRender(const RenderOptions& options)
   }
   if (options.verify > 0)
   {
-    std::cout << verified(scene.quality, built.scape, options.verify);
+    std::cout << verified(scene.quality, built.scape, options.verify, progress);
   }
 }
 

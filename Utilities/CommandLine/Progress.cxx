@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Progress.h"
 
-#include <vtkAlgorithm.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkNew.h>
+#include <vtkObject.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -43,11 +43,11 @@ Progress::~Progress()
 
 void Progress::forget()
 {
-  for (const Watched& watched : this->Algorithms)
+  for (const Watched& watched : this->All)
   {
-    watched.Algorithm->RemoveObserver(watched.Tag);
+    watched.Working->RemoveObserver(watched.Tag);
   }
-  this->Algorithms.clear();
+  this->All.clear();
   if (this->Shown)
   {
     std::fputs("\r\033[K", stderr);
@@ -55,7 +55,7 @@ void Progress::forget()
   }
 }
 
-void Progress::watch(vtkAlgorithm* algorithm, const std::string& name)
+void Progress::watch(vtkObject* working, const std::string& name)
 {
   if (!this->Terminal)
   {
@@ -63,8 +63,7 @@ void Progress::watch(vtkAlgorithm* algorithm, const std::string& name)
   }
   const vtkNew<Listener> listener;
   listener->Show = [this, name](double done) { this->show(name, done); };
-  this->Algorithms.push_back(
-    { algorithm, algorithm->AddObserver(vtkCommand::ProgressEvent, listener) });
+  this->All.push_back({ working, working->AddObserver(vtkCommand::ProgressEvent, listener) });
 }
 
 void Progress::show(const std::string& name, double done)

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-class vtkAlgorithm;
+class vtkObject;
 
 namespace nephoscope::program
 {
-/// Shows on standard error how far the algorithms that it watches have come; only if that is a terminal.
+/// Shows on standard error how far the objects that it watches have come; only if that is a terminal.
 class Progress
 {
 public:
@@ -23,8 +23,8 @@ public:
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Show an algorithm's progress events under a name. The algorithm must live until forget().
-  void watch(vtkAlgorithm* algorithm, const std::string& name);
+  /// Show an object's progress events under a name. The object must live until forget().
+  void watch(vtkObject* working, const std::string& name);
 
   /// Stop watching, and clear the bar.
   void forget();
@@ -35,13 +35,13 @@ public:
 private:
   struct Watched
   {
-    vtkAlgorithm* Algorithm;
+    vtkObject* Working;
     unsigned long Tag;
   };
   bool Terminal;
   bool Shown = false;
   std::chrono::steady_clock::time_point Last;
-  std::vector<Watched> Algorithms;
+  std::vector<Watched> All;
 };
 
 /// Seconds of a stage: from construction or the last lap.

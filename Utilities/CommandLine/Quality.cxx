@@ -3,6 +3,7 @@
 
 #include "Failure.h"
 #include "Messages.h"
+#include "Progress.h"
 
 #include <CalibrationFile.h>
 #include <CalibrationPath.h>
@@ -43,11 +44,13 @@ std::string chooseMethods(const Quality& quality, vtkCloudscape* scape)
   return selector->Explain();
 }
 
-std::string verified(const Quality& quality, vtkCloudscape* scape, int pixels)
+std::string verified(const Quality& quality, vtkCloudscape* scape, int pixels, Progress& progress)
 {
   const vtkNew<vtkCloudPictureCheck> check;
   check->SetNumberOfPixels(pixels);
+  progress.watch(check, "verify");
   check->Check(scape);
+  progress.forget();
   Messages::throwIfError("verify");
   const int* const size = scape->GetSize();
   std::ostringstream out;

@@ -14,6 +14,8 @@ class vtkCloudscape;
 
 namespace nephoscope::program
 {
+class Progress;
+
 /// Give a selector the calibration `methods`; without one that can be read it keeps the built-in constants, which is said on standard error.
 void useCalibration(vtkCloudModelSelector* selector);
 
@@ -26,6 +28,6 @@ void useCalibration(vtkCloudModelSelector* selector);
 std::string chooseMethods(const Quality& quality, vtkCloudscape* scape);
 
 /// Check pixels of a picture that has been drawn, and tell. Its bodies keep the exact methods.
-std::string verified(const Quality& quality, vtkCloudscape* scape, int pixels);
+std::string verified(const Quality& quality, vtkCloudscape* scape, int pixels, Progress& progress);
 }
 #endif

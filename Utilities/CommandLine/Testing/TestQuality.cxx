@@ -11,6 +11,7 @@
 #include <MethodChoice.h>
 #include <RadianceError.h>
 #include <SceneParts.h>
+#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkCloudCellVolume.h>
 #include <vtkCloudHaze.h>
@@ -369,7 +370,16 @@ TEST_F(Choosing, VerificationFindsTheError)
   const std::vector<double> coarse = this->Draw();
   const vtkNew<vtkCloudPictureCheck> check;
   check->SetNumberOfPixels(50);
+  std::vector<double> progress;
+  const vtkNew<vtkCallbackCommand> listener;
+  listener->SetClientData(&progress);
+  listener->SetCallback([](vtkObject*, unsigned long, void* list, void* done)
+    { static_cast<std::vector<double>*>(list)->push_back(*static_cast<double*>(done)); });
+  check->AddObserver(vtkCommand::ProgressEvent, listener);
   ASSERT_TRUE(check->Check(this->Scape));
+  ASSERT_EQ(progress.size(), 50U);
+  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
+  EXPECT_EQ(progress.back(), 1);
   EXPECT_EQ(haze->GetMethod(), vtkCloudHaze::Exact);
   const std::vector<double> exact = this->Draw();
   double largest = 0;

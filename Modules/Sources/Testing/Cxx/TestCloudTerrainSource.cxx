@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 TEST(CloudTerrainSource, GridIsWhereItIsAskedFor)
 {
   vtkNew<vtkCloudTerrainSource> source;
@@ -60,5 +62,14 @@ TEST(CloudTerrainSource, BadSizesAreRefused)
   source->SetSpacing(-1);
   source->Update();
   EXPECT_NE(errors->GetErrorMessage().find("Spacing -1"), std::string::npos);
+  errors->Clear();
+  source->SetSpacing(30);
+  source->SetCenter(0, -1e10);
+  source->Update();
+  EXPECT_NE(errors->GetErrorMessage().find("farther than 2^19 Wavelengths"), std::string::npos);
+  errors->Clear();
+  source->SetCenter(std::nan(""), 0);
+  source->Update();
+  EXPECT_NE(errors->GetErrorMessage().find("farther than 2^19 Wavelengths"), std::string::npos);
   EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 0);
 }
