@@ -16,7 +16,7 @@
  *          Henyey and Greenstein's phase function p; the second, which he does not have, stands for the light that has been
  *          scattered often. The sun is overhead for J; TowardSun counts for p alone, as Max found convincing.
  * Errors   no such array, an array that is no height field, an unknown method: vtkErrorMacro, nothing is drawn.
- * Cost     with Moments 0.2 to 0.4 us a ray and core: 0.04 s for Max's 510 x 384 pixels and 0.27 s for his 1764 x 1280 on two cores.
+ * Cost     with Moments 0.3 to 0.6 us a ray and core: 0.06 s for Max's 510 x 384 pixels and 0.33 s for his 1764 x 1280 on two cores.
  *          A third is sampling the waves, whose roots bound it, the rest entering, leaving and summing each cloud; memory 32 bytes a segment and 20 a pixel. The same bits for any
  *          number of threads.
  * Limits   nothing is seen beyond FarDistance. Waves shorter than 4 pixels fade, those below 1.2 are gone; a parallel view has all of
