@@ -33,6 +33,8 @@ std::string errorOf(vtkCloudFit* fit)
   fit->AddObserver(vtkCommand::ErrorEvent, note);
   fit->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, note);
   fit->Update();
+  fit->RemoveObserver(note);
+  fit->GetExecutive()->RemoveObserver(note);
   return text;
 }
 
