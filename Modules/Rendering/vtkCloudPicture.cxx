@@ -10,6 +10,7 @@
 #include "vtkCloudCellVolume.h"
 #include "vtkCloudGlobe.h"
 #include "vtkCloudSurface.h"
+#include "vtkCloudVoxelVolume.h"
 #include "vtkCloudscape.h"
 #include "vtkCommand.h"
 #include "vtkCommunicator.h"
@@ -29,6 +30,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 vtkStandardNewMacro(vtkCloudPicture);
@@ -55,6 +57,39 @@ void addDisplayColor(vtkImageData* image)
   image->GetPointData()->SetActiveScalars(nephoscope::arrays::DisplayColor);
 }
 
+enum Kind : std::size_t
+{
+  KindGrid,
+  KindSurface,
+  KindVoxels
+};
+
+Kind kindOf(vtkDataSet* data)
+{
+  if (!data->IsA("vtkPolyData"))
+  {
+    return KindGrid;
+  }
+  return data->GetPointData()->HasArray(nephoscope::arrays::VoxelBricks) ? KindVoxels : KindSurface;
+}
+
+/// Widens the bounds of bricks' points, their first voxels, to where their density is 0.
+void addReachOfVoxels(vtkDataSet* bricks, double bounds[6])
+{
+  vtkDataArray* const place = bricks->GetFieldData()->GetArray(nephoscope::arrays::VoxelToScene);
+  // None have no bounds; what has another matrix the body refuses.
+  const bool known = bricks->GetNumberOfPoints() > 0 && place && place->GetNumberOfValues() == 16;
+  for (int row = 0; known && row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      const double edge = place->GetVariantValue(4 * row + column).ToDouble();
+      bounds[2 * row] += std::min(-edge, 8 * edge);
+      bounds[2 * row + 1] += std::max(-edge, 8 * edge);
+    }
+  }
+}
+
 /// Of the globe that the data are round, scene units; 0 if they are not.
 double planetRadius(vtkInformationVector* input)
 {
@@ -74,6 +109,7 @@ double planetRadius(vtkInformationVector* input)
 vtkCloudPicture::vtkCloudPicture()
   : Volume(vtkSmartPointer<vtkCloudCellVolume>::New())
   , Surface(vtkSmartPointer<vtkCloudSurface>::New())
+  , Voxels(vtkSmartPointer<vtkCloudVoxelVolume>::New())
   , Globe(vtkSmartPointer<vtkCloudGlobe>::New())
   , Controller(vtkMultiProcessController::GetGlobalController())
 {
@@ -108,6 +144,20 @@ void vtkCloudPicture::SetSurface(vtkCloudSurface* surface)
 vtkCloudSurface* vtkCloudPicture::GetSurface() const
 {
   return this->Surface;
+}
+
+void vtkCloudPicture::SetVoxels(vtkCloudVoxelVolume* voxels)
+{
+  if (this->Voxels != voxels)
+  {
+    this->Voxels = voxels;
+    this->Modified();
+  }
+}
+
+vtkCloudVoxelVolume* vtkCloudPicture::GetVoxels() const
+{
+  return this->Voxels;
 }
 
 void vtkCloudPicture::SetGround(vtkCloudBody* ground)
@@ -155,8 +205,8 @@ vtkMultiProcessController* vtkCloudPicture::GetController() const
 vtkMTimeType vtkCloudPicture::GetMTime()
 {
   vtkMTimeType newest = this->Superclass::GetMTime();
-  const std::initializer_list<vtkObject*> parts = { this->Volume, this->Surface, this->Ground,
-    this->Backdrop };
+  const std::initializer_list<vtkObject*> parts = { this->Volume, this->Surface, this->Voxels,
+    this->Ground, this->Backdrop };
   for (vtkObject* part : parts)
   {
     newest = part ? std::max(newest, part->GetMTime()) : newest;
@@ -204,8 +254,12 @@ int vtkCloudPicture::RequestUpdateExtent(
 bool vtkCloudPicture::AddInputs(
   vtkCloudscape* scape, vtkInformationVector** inputs, double bounds[6])
 {
+  // In the order of Kind.
+  const std::array<vtkCloudBody*, 3> bodies = { this->Volume, this->Surface, this->Voxels };
+  const char* const names[] = { "grids", "surfaces", "voxels" };
+  const char* const setters[] = { "SetVolume", "SetSurface", "SetVoxels" };
   vtkBoundingBox box;
-  bool drawn[2] = { false, false };
+  bool drawn[] = { false, false, false };
   for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
   {
     vtkDataSet* const data = vtkDataSet::GetData(inputs[port]);
@@ -213,25 +267,28 @@ bool vtkCloudPicture::AddInputs(
     {
       continue;
     }
-    const bool surface = data->IsA("vtkPolyData");
-    if (drawn[surface])
+    const Kind kind = kindOf(data);
+    if (drawn[kind])
     {
       vtkErrorMacro("Both inputs are "
-        << (surface ? "surfaces" : "grids")
-        << "; one of each is drawn. Append surfaces to one another.");
+        << names[kind] << "; one of each is drawn."
+        << (kind == KindSurface ? " Append them to one another." : ""));
       return false;
     }
-    drawn[surface] = true;
-    vtkCloudBody* const body = surface ? static_cast<vtkCloudBody*>(this->Surface) : this->Volume;
-    if (!body)
+    drawn[kind] = true;
+    if (!bodies[kind])
     {
-      vtkErrorMacro("There is nothing to draw a " << data->GetClassName() << " with; call Set"
-                                                  << (surface ? "Surface." : "Volume."));
+      vtkErrorMacro(
+        "There is nothing to draw " << names[kind] << " with; call " << setters[kind] << '.');
       return false;
     }
-    body->SetInputData(data);
-    scape->AddBody(body);
+    bodies[kind]->SetInputData(data);
+    scape->AddBody(bodies[kind]);
     data->GetBounds(bounds);
+    if (kind == KindVoxels)
+    {
+      addReachOfVoxels(data, bounds);
+    }
     box.AddBounds(bounds);
   }
   box.GetBounds(bounds);
@@ -340,6 +397,7 @@ void vtkCloudPicture::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Volume: " << this->Volume.Get() << '\n';
   os << indent << "Surface: " << this->Surface.Get() << '\n';
+  os << indent << "Voxels: " << this->Voxels.Get() << '\n';
   os << indent << "Ground: " << this->Ground.Get() << '\n';
   os << indent << "Backdrop: " << this->Backdrop.Get() << '\n';
   os << indent << "Size: " << this->Size[0] << " x " << this->Size[1] << '\n';

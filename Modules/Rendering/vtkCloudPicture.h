@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkCloudPicture
- * @brief vtkCloudscape as a filter: a picture of a grid, of a surface, or of both, for pipelines and ParaView.
+ * @brief vtkCloudscape as a filter: a picture of a grid, a surface, sparse voxels, or two of them, for pipelines and ParaView.
  *
- *  1. a grid is drawn by Volume, a surface by Surface; they may interpenetrate;
+ *  1. a grid is drawn by Volume, a surface by Surface, sparse voxels by Voxels; they may interpenetrate;
  *  2. the camera is moved until all of it is seen, if FitToInputs is on;
  *  3. vtkCloudscape draws them with Ground before Backdrop.
  *
  * Several processes draw one picture of their pieces together, exactly (vtkCloudscape::SetController), pieces may be empty; process 0
  * has it, the others' output is empty.
  *
- * Input    port 0 and, optional, port 1: what vtkCloudCellVolume takes (vtkStructuredGrid, vtkRectilinearGrid, vtkImageData) and
- *          what vtkCloudSurface takes (vtkPolyData), in either order, at most one of each. Field data Geometry and PlanetRadius, as
+ * Input    port 0 and, optional, port 1: what vtkCloudCellVolume takes (vtkStructuredGrid, vtkRectilinearGrid, vtkImageData), what
+ *          vtkCloudVoxelVolume takes (vtkPolyData with VoxelBricks) and what vtkCloudSurface takes (other vtkPolyData), in any order,
+ *          at most one of each; voxels whole in every process. Field data Geometry and PlanetRadius, as
  *          vtkCloudNetCDFReader gives them and vtkCloudContour passes them, for AutomaticGround.
  * Output   vtkImageData of Size, that of vtkCloudscape: Radiance, Transmittance, Depth; and DisplayColor (3 unsigned char, sRGB of
  *          Radiance), which are the active scalars.
@@ -33,6 +34,7 @@ class vtkCloudBody;
 class vtkCloudCellVolume;
 class vtkCloudGlobe;
 class vtkCloudSurface;
+class vtkCloudVoxelVolume;
 class vtkCloudscape;
 class vtkMultiProcessController;
 
@@ -52,6 +54,11 @@ public:
   /// What draws surfaces. Default a new one.
   void SetSurface(vtkCloudSurface* surface);
   vtkCloudSurface* GetSurface() const;
+  ///@}
+  ///@{
+  /// What draws sparse voxels. Default a new one.
+  void SetVoxels(vtkCloudVoxelVolume* voxels);
+  vtkCloudVoxelVolume* GetVoxels() const;
   ///@}
   ///@{
   /// A body without input, such as vtkCloudGlobe or vtkCloudPlane. Default none.
@@ -149,6 +156,7 @@ private:
 
   vtkSmartPointer<vtkCloudCellVolume> Volume;
   vtkSmartPointer<vtkCloudSurface> Surface;
+  vtkSmartPointer<vtkCloudVoxelVolume> Voxels;
   vtkSmartPointer<vtkCloudBody> Ground;
   vtkSmartPointer<vtkCloudGlobe> Globe; ///< of AutomaticGround
   vtkSmartPointer<vtkCloudBackdrop> Backdrop;

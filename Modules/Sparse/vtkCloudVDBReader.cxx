@@ -249,6 +249,11 @@ int vtkCloudVDBReader::RequestInformation(
     }
     outputs->GetInformationObject(0)->Set(
       vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+    outputs->GetInformationObject(0)->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  }
+  else
+  {
+    outputs->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
   }
   return 1;
 }
@@ -265,7 +270,9 @@ int vtkCloudVDBReader::RequestData(
   const auto grid = std::move(this->Loaded);
   if (auto* const image = vtkImageData::SafeDownCast(output))
   {
-    if (!this->FillImage(*grid, image))
+    const int* const wanted =
+      outputs->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
+    if (!this->FillImage(*grid, wanted, image))
     {
       return 0;
     }
@@ -297,10 +304,8 @@ bool vtkCloudVDBReader::FindExtent(int extent[6])
   return true;
 }
 
-bool vtkCloudVDBReader::FillImage(const VoxelGrid& grid, vtkImageData* image)
+bool vtkCloudVDBReader::FillImage(const VoxelGrid& grid, const int extent[6], vtkImageData* image)
 {
-  int extent[6];
-  findFilled(grid, extent);
   if (extent[0] > extent[1])
   {
     return true;
@@ -311,17 +316,25 @@ bool vtkCloudVDBReader::FillImage(const VoxelGrid& grid, vtkImageData* image)
                   << "' has a transform with shear, which no image has; read it as bricks.");
     return false;
   }
-  image->SetExtent(extent);
+  image->SetExtent(extent[0], extent[1], extent[2], extent[3], extent[4], extent[5]);
   vtkNew<vtkFloatArray> array;
   array->SetName(grid.name.c_str());
   array->SetNumberOfComponents(grid.components);
   array->SetNumberOfTuples(image->GetNumberOfPoints());
   array->Fill(0);
   forEachFilled(grid,
-    [image, &array](const std::array<int, 3>& at, const float* values)
+    [image, extent, &array](const std::array<int, 3>& at, const float* values)
     {
       int place[3] = { at[0], at[1], at[2] };
-      array->SetTypedTuple(image->ComputePointId(place), values);
+      bool inside = true;
+      for (int c = 0; c < 3; ++c)
+      {
+        inside = inside && place[c] >= extent[2 * c] && place[c] <= extent[2 * c + 1];
+      }
+      if (inside)
+      {
+        array->SetTypedTuple(image->ComputePointId(place), values);
+      }
     });
   image->GetPointData()->SetScalars(array);
   return true;

@@ -14,6 +14,7 @@
  *          Both: the metadata of file and grid as field data, texts as strings, numbers as doubles, under their names; GridName, a
  *            string. What OpenVDB keeps for itself (class, is_*, file_*, ...) is left out.
  * Parameters: see the setters.
+ * Pieces   of an image: blocks of it. Bricks: each piece is the whole, as sunlight comes to a brick through all others.
  * Errors   a file that is missing, cut short or damaged, no grid of the name or of a readable type, a frustum transform, more than
  *          MaximumVoxels, for an image a transform with shear: one line with file, grid and remedy, an empty output.
  * Cost     memory: some 40 times the grid's bytes at most while the tree is read; then 2 kB a brick; an image 4 bytes a point.
@@ -91,7 +92,7 @@ private:
 
   bool Load();
   bool FindExtent(int extent[6]);
-  bool FillImage(const nephoscope::VoxelGrid& grid, vtkImageData* image);
+  bool FillImage(const nephoscope::VoxelGrid& grid, const int extent[6], vtkImageData* image);
 
   std::shared_ptr<nephoscope::VoxelGrid> Loaded; ///< from RequestInformation to RequestData
 

@@ -58,6 +58,15 @@ class Ranks(plugin.PluginTest):
                 self.assertEqual(results[key].shape, expected.shape)
                 numpy.testing.assert_allclose(results[key], expected, rtol=tolerance, atol=tolerance)
 
+    def check_picture(self, name, picture):
+        image = picture.GetClientSideObject().GetOutput()
+        if COMM.rank > 0:
+            self.assertEqual(image.GetNumberOfPoints(), 0)
+            return
+        names = ("Radiance", "Transmittance", "Depth")
+        self.check(name + "-picture", {key: vtk_to_numpy(image.GetPointData().GetArray(key)) for key in names}, 1e-6)
+        self.assertGreater(vtk_to_numpy(image.GetPointData().GetArray("Radiance")).std(), 0.01)
+
     def draw(self, reader, value):
         contour = simple.CloudContour(Input=reader, Values=[value])
         picture = simple.CloudPicture(Input=reader, OtherInput=contour, Size=[160, 120])
@@ -68,17 +77,21 @@ class Ranks(plugin.PluginTest):
     def compare(self, name, reader, value):
         contour, picture = self.draw(reader, value)
         self.check(name + "-triangles", {"corners": triangles(contour)}, 0)
-        image = picture.GetClientSideObject().GetOutput()
-        if COMM.rank > 0:
-            self.assertEqual(image.GetNumberOfPoints(), 0)
-            return
-        names = ("Radiance", "Transmittance", "Depth")
-        self.check(name + "-picture", {key: vtk_to_numpy(image.GetPointData().GetArray(key)) for key in names}, 1e-6)
-        self.assertGreater(vtk_to_numpy(image.GetPointData().GetArray("Radiance")).std(), 0.01)
+        self.check_picture(name, picture)
 
     def test_a_globe(self):
         reader = simple.CloudNetCDFReader(FileName=plugin.CLIMATE, VerticalExaggeration=20)
         self.compare("globe", reader, 0.3)
+
+    def test_voxels(self):
+        file = str(pathlib.Path(plugin.FOLDER, "ranks.vdb"))
+        if ALONE:
+            simple.SaveData(file, proxy=simple.CloudNetCDFReader(FileName=plugin.CLIMATE, VerticalExaggeration=20), VoxelSize=[2e5] * 3)
+        contour = simple.CloudContour(Input=simple.CloudNetCDFReader(FileName=plugin.CLIMATE, VerticalExaggeration=20), Values=[0.3])
+        picture = simple.CloudPicture(Input=simple.CloudVDBReader(FileName=file, OutputForm="Bricks"), OtherInput=contour, Size=[160, 120])
+        picture.Surface.Opacity = 0.5
+        picture.UpdatePipeline()
+        self.check_picture("voxels", picture)
 
     def test_texture_that_moves(self):
         reader = simple.CloudNetCDFReader(FileName=plugin.CLIMATE)

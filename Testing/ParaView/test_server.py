@@ -22,7 +22,7 @@ class Server(plugin.PluginTest):
         self.alone = show("Cloud Volume", True)
         self.clouds = difference(self.alone, show("Outline", True))
         with socket.socket() as free:
-            free.bind(("localhost", 0))
+            free.bind(("127.0.0.1", 0))
             self.port = free.getsockname()[1]
         self.server = subprocess.Popen([sys.argv[4], f"--server-port={self.port}"], stdout=subprocess.PIPE, text=True)
         self.addCleanup(self.server.kill)
@@ -33,7 +33,7 @@ class Server(plugin.PluginTest):
         super().tearDown()
 
     def test_a_server_renders_the_same_picture(self):
-        simple.Connect("localhost", self.port)
+        simple.Connect("127.0.0.1", self.port)
         for remote in (True, False):
             simple.LoadPlugin(str(plugin.PLUGIN), remote=remote, ns=vars(simple))
         for threshold in (0, 1e6):  # in MB: rendered by the server; by the client, from the server's data

@@ -55,6 +55,21 @@ class Voxels(plugin.PluginTest):
         self.assertIn("has no grid 'density'; it has 'ice'", self.window.GetOutput())
         self.listen()
 
+    def test_a_picture_draws_bricks_round_their_globe(self):
+        write(VoxelSize=[1.5e5, 1.5e5, 1.5e5], GridNames=["density"])
+        picture = simple.CloudPicture(Input=read(OutputForm="Bricks"), Size=[120, 90], Position=[1, 0.2, 0.4])
+        picture.Voxels.TowardSun = [1, 0, 0.5]
+        picture.UpdatePipeline()
+        drawn = image_of(picture).GetPointData()
+        transmittance = vtk_to_numpy(drawn.GetArray("Transmittance"))[:, 0].reshape(90, 120)
+        radiance = vtk_to_numpy(drawn.GetArray("Radiance"))[:, 1].reshape(90, 120)
+        self.assertTrue((transmittance[25:65, 40:80] == 0).all())  # the globe, clouds or none
+        self.assertTrue((transmittance[:, :8] == 1).all())
+        self.assertGreater(radiance.max(), 0.2)
+        picture.Voxels.ExtinctionScale = 0
+        picture.UpdatePipeline()
+        self.assertGreater(radiance.max(), 1.5 * vtk_to_numpy(image_of(picture).GetPointData().GetArray("Radiance")).max())
+
     def test_a_file_for_each_time(self):
         folder = plugin.FOLDER / "voxel-times"
         folder.mkdir(exist_ok=True)

@@ -202,4 +202,7 @@ TEST_F(CloudPicture, SaysWhatItCannotDraw)
   this->Picture->SetInputDataObject(1, sail());
   this->Picture->SetVolume(nullptr);
   EXPECT_NE(this->Message().find("call SetVolume"), std::string::npos);
+  this->Picture->SetInputDataObject(0, sail());
+  EXPECT_NE(this->Message().find("Both inputs are surfaces; one of each is drawn. Append"),
+    std::string::npos);
 }

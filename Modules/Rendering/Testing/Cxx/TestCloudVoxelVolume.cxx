@@ -4,6 +4,7 @@
 #include "PhaseFunction.h"
 #include "RenderingTest.h"
 #include "vtkCallbackCommand.h"
+#include "vtkCloudPicture.h"
 #include "vtkCloudPlane.h"
 #include "vtkCloudVoxelVolume.h"
 #include "vtkCommand.h"
@@ -43,7 +44,13 @@ vtkSmartPointer<vtkPolyData> bricks(
       for (int i = low[0]; i < high[0]; ++i)
       {
         const int first[3] = { 8 * i, 8 * j, 8 * k };
-        points->InsertNextPoint(first[0], first[1], first[2]);
+        double place[3];
+        for (int row = 0; row < 3; ++row)
+        {
+          const double* const m = matrix + 4 * row;
+          place[row] = m[0] * first[0] + m[1] * first[1] + m[2] * first[2] + m[3];
+        }
+        points->InsertNextPoint(place);
         origins->InsertNextTypedTuple(first);
         float brick[512];
         for (int v = 0; v < 512; ++v)
@@ -158,6 +165,38 @@ TEST_F(VoxelVolume, TheSkysShareIsThatOfAThickCloud)
   this->Draw({ this->Body });
   // The ray ends where 1e-4 gets through.
   EXPECT_NEAR(this->Radiance(Width / 2, Height / 2, 1), 0.4, 1e-4);
+}
+
+TEST_F(VoxelVolume, APictureDrawsThemWithOrWithoutASurfaceAndFitsThem)
+{
+  // One brick of 0.8 x 0.4 x 1.6 seen along -x: half a voxel of slope on each side is within the frame.
+  const int low[3] = { 0, 0, 0 };
+  const int high[3] = { 1, 1, 1 };
+  const vtkNew<vtkCloudPicture> picture;
+  picture->SetInputData(bricks(low, high, Turned, [](int, int, int) { return 2; }));
+  picture->SetVoxels(this->Body);
+  picture->SetSize(Width, Height);
+  picture->SetPosition(1, 0, 0);
+  picture->ParallelProjectionOn();
+  picture->Update();
+  const auto transmittance = [&picture](int x, int y)
+  {
+    return picture->GetOutput()
+      ->GetPointData()
+      ->GetArray(arrays::Transmittance)
+      ->GetComponent(y * Width + x, 0);
+  };
+  EXPECT_NEAR(transmittance(Width / 2, Height / 2), std::exp(-2 * 0.4), 1e-4);
+  // From the lowest to the highest voxel that is not clear 9 of the frame's 9 * 1.1 voxels.
+  EXPECT_EQ(transmittance(Width / 2, 1), 1);
+  EXPECT_LT(transmittance(Width / 2, 4), 1);
+  EXPECT_LT(transmittance(Width / 2, Height - 5), 1);
+  EXPECT_EQ(transmittance(Width / 2, Height - 2), 1);
+
+  const vtkNew<vtkPolyData> nothing;
+  picture->SetInputDataObject(1, nothing);
+  picture->Update();
+  EXPECT_NEAR(transmittance(Width / 2, Height / 2), std::exp(-2 * 0.4), 1e-4);
 }
 
 TEST_F(VoxelVolume, TheSameBitsForAnyNumberOfThreads)

@@ -139,6 +139,39 @@ TEST(CloudVDB, AnImageComesBackAsItWasInFloat)
   EXPECT_NEAR(sum / all, 1, 1e-12);
 }
 
+TEST(CloudVDB, PiecesOfAnImageAreItsBlocksAndBricksAreWhole)
+{
+  const Folder folder;
+  write(blob(), folder.file("blob.vdb"), 0);
+  vtkNew<vtkCloudVDBReader> reader;
+  reader->SetFileName(folder.file("blob.vdb").c_str());
+  reader->UpdatePiece(1, 3, 0);
+  const vtkIdType bricks =
+    vtkPolyData::SafeDownCast(reader->GetOutputDataObject(0))->GetNumberOfPoints();
+  EXPECT_GT(bricks, 0);
+  reader->UpdateWholeExtent();
+  EXPECT_EQ(vtkPolyData::SafeDownCast(reader->GetOutputDataObject(0))->GetNumberOfPoints(), bricks);
+
+  const Read whole = readAs(vtkCloudVDBReader::Image, folder.file("blob.vdb"));
+  auto* const all = vtkImageData::SafeDownCast(whole.data);
+  reader->SetOutputFormToImage();
+  vtkIdType cells = 0;
+  for (int piece = 0; piece < 3; ++piece)
+  {
+    reader->UpdatePiece(piece, 3, 0);
+    auto* const image = vtkImageData::SafeDownCast(reader->GetOutputDataObject(0));
+    cells += image->GetNumberOfCells();
+    EXPECT_LT(image->GetNumberOfPoints(), all->GetNumberOfPoints());
+    for (vtkIdType p = 0; p < image->GetNumberOfPoints(); ++p)
+    {
+      const vtkIdType same = all->FindPoint(image->GetPoint(p));
+      ASSERT_EQ(image->GetPointData()->GetScalars()->GetComponent(p, 0),
+        all->GetPointData()->GetScalars()->GetComponent(same, 0));
+    }
+  }
+  EXPECT_EQ(cells, all->GetNumberOfCells());
+}
+
 TEST(CloudVDB, HalfFloatsAreWithinTheirPrecisionAndSmaller)
 {
   const Folder folder;
