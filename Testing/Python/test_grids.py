@@ -199,6 +199,13 @@ class Places(unittest.TestCase):
         self.assertEqual(geometry(lain(ball())), "Map")
         local = nephoscope.grid(ball(), x=LON, y=LAT, height=HEIGHT)
         self.assertEqual((geometry(local), local.GetBounds()), ("Local", (5, 15, 45, 52, 0, 12000)))
+        for first in (-180, 0, 90, 355):
+            with self.subTest("longitudes may step over the end of their range", first=first):
+                stepping = (first + np.arange(0, 360, 30) + 180) % 360 - 180
+                globe = nephoscope.grid(values, longitude=stepping, latitude=[-60, 0, 60], height=[0, 1])
+                self.assertEqual((geometry(globe), globe.GetDimensions()), ("Globe", (13, 5, 2)))
+        over = nephoscope.grid(np.zeros((2, 3, 3)), longitude=[359, 0, 1], latitude=[0, 1, 2], height=[0, 1])
+        np.testing.assert_allclose(over.GetBounds()[:2], np.radians([359, 361]) * 6371229)
         with self.subTest("curvilinear"):
             lon, lat = np.meshgrid(LON, LAT)
             curved = nephoscope.points(lain(ball(), longitude=lon, latitude=lat))
@@ -244,6 +251,9 @@ class Refusals(unittest.TestCase):
                 (ValueError, "height has 2 dimensions", lambda: lain(ball(), height=np.ones((2, 2)))),
                 (ValueError, "there are no fields", lambda: nephoscope.grid({})),
                 (ValueError, "a coordinate is empty", lambda: lain(ball()[:0], height=np.zeros(0))),
+                (ValueError, "longitude neither rises nor falls throughout; sort it", lambda: lain(ball(), longitude=np.abs(LON - 9))),
+                (ValueError, "latitude reaches 112; give degrees", lambda: lain(ball(), latitude=LAT + 60)),
+                (ValueError, "height neither rises nor falls", lambda: lain(ball(), height=np.where(HEIGHT == HEIGHT[3], np.nan, HEIGHT))),
                 (ValueError, "exaggeration=nan", lambda: lain(ball(), exaggeration=np.nan)),
                 (ValueError, "geometry='flat' is none of 'globe', 'map', 'local'", lambda: lain(ball(), geometry="flat")),
                 (ValueError, r"dimensions \('a', 'b', 'c'\), which do not say what they are; transpose",

@@ -75,7 +75,24 @@ def _axis_pair(east: Any, north: Any, geometry: str) -> tuple[Array, Array]:
     for name, values in zip(names, (east, north)):
         if not np.isfinite(values).all():
             raise ValueError(f"{name} has values that are not finite; every column needs a place")
+    if geometry != "local":
+        east = _unwrapped(east)
+        if np.abs(north).max() > 90 + 1e-6:
+            raise ValueError(f"latitude reaches {north.flat[np.abs(north).argmax()]:g}; give degrees from -90 to 90")
+    for name, values in zip(names, (east, north)):
+        _check_axis(name, values)
     return east, north
+
+
+def _unwrapped(longitude: Array) -> Array:
+    """Longitudes, degrees, without the step from 359 to 0 or from 180 to -180."""
+    return np.unwrap(longitude, period=360) if longitude.ndim == 1 else longitude
+
+
+def _check_axis(name: str, values: Array) -> None:
+    steps = np.diff(values)
+    if values.ndim == 1 and not ((steps > 0).all() or (steps < 0).all()):
+        raise ValueError(f"{name} neither rises nor falls throughout; sort it, and the arrays along it")
 
 
 def _mean_row(row: Array) -> Array:
@@ -181,6 +198,7 @@ def _structured(named: Mapping[str, Any], columns: _Columns, height: Any, exagge
         _check_shape("height", heights.shape, wanted)
         heights = columns.closed(heights)
     elif heights.ndim == 1:
+        _check_axis("height", heights)
         heights = values_of(np.broadcast_to(heights[:, None, None], (len(heights), *columns.east.shape)))
     else:
         raise ValueError(f"height has {heights.ndim} dimensions; give 1 (levels) or 3 (levels, rows, columns)")
@@ -222,11 +240,12 @@ def grid(fields: Any, *, longitude: Any = None, latitude: Any = None, x: Any = N
         Temperature (K), Wind (m/s: a tuple of eastward, northward and, optionally, upward arrays, or one with a last axis of
         3), Extinction (1/m). Others are carried along; ``contour(field=...)`` and ``render(field=...)`` take any.
     longitude, latitude
-        Degrees; 1 dimension each, or (rows, columns) both. Default: the coordinates that the fields bring along.
+        Degrees; 1 dimension each, rising or falling (from 359 on to 0, and 180 on to -180, too), or (rows, columns) both.
+        Default: the coordinates that the fields bring along.
     x, y
         m, in place of longitude and latitude, likewise.
     height
-        m above sea level; (levels,) or (levels, rows, columns). Levels of pressure are not heights: give these.
+        m above sea level; (levels,), rising or falling, or (levels, rows, columns). Levels of pressure are not heights: give these.
     geometry
         ``"globe"``, ``"map"`` (m on the equator), or ``"local"`` for x and y. Default: globe where longitudes go once round
         the Earth, else map.
@@ -288,7 +307,7 @@ def _lying(known: Mapping[str, Any], geometry: str | None, plane: bool) -> str |
         choice("geometry", geometry, ("globe", "map", "local"))
         return geometry
     if not plane and known.keys() & {"longitude", "latitude"}:
-        longitude = values_of(known.get("longitude", ()))
+        longitude = _unwrapped(values_of(known.get("longitude", ())))
         whole = longitude.ndim == 1 and len(longitude) > 2 and (goes_round(longitude) or np.ptp(longitude) >= 359.99)
         return "globe" if whole else "map"
     return "local" if known.keys() & {"x", "y", "height"} else None
