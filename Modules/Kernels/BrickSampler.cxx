@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BrickSampler.h"
 
+#include "WideLoops.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 
 namespace nephoscope
 {
@@ -11,6 +14,20 @@ namespace
 {
 /// How far outside a face, in barycentric coordinates, a sample still counts as on it: rounding of coordinates.
 constexpr double OnFace = 1e-9;
+
+/// The quantities of a sample as one vector.
+template <int Lanes>
+struct SampleOf;
+template <>
+struct SampleOf<4>
+{
+  using Vector = float __attribute__((vector_size(16)));
+};
+template <>
+struct SampleOf<8>
+{
+  using Vector = float __attribute__((vector_size(32)));
+};
 
 double determinant(const Vector3& a, const Vector3& b, const Vector3& c)
 {
@@ -21,10 +38,39 @@ double determinant(const Vector3& a, const Vector3& b, const Vector3& c)
 /// Barycentric coordinates and values as functions of the sample's index: constant + slopes . (x, y, z).
 struct BrickSampler::Linear
 {
+  struct Plane
+  {
+    double constant;
+    double slope[3];
+    double root; ///< -1 / slope along x
+  };
   std::array<std::array<double, 4>, 4> Weight; ///< [corner]: constant, slopes
-  std::array<double, 4> Root;                  ///< [corner]: -1 / slope along x
-  int Corner[3];                               ///< the sample that the values count from
-  float Value[4][Many];                        ///< [at that sample, slopes][lane]
+  std::array<Plane, 4>
+    Planes;             ///< the same: those entered along x, those left, those parallel to it
+  int Entered;          ///< planes
+  int Left;             ///< planes, those entered included
+  int Corner[3];        ///< the sample that the values count from
+  float Value[4][Many]; ///< [at that sample, slopes][lane]
+
+  void sortPlanes()
+  {
+    int n = 0;
+    const auto take = [this, &n](int sign)
+    {
+      for (const auto& w : this->Weight)
+      {
+        if ((w[1] > 0) - (w[1] < 0) == sign)
+        {
+          this->Planes[static_cast<std::size_t>(n++)] = { w[0], { w[1], w[2], w[3] },
+            sign != 0 ? -1 / w[1] : 0 };
+        }
+      }
+      return n;
+    };
+    this->Entered = take(1);
+    this->Left = take(-1);
+    take(0);
+  }
 };
 
 double linearMass(const std::array<Vector3, 4>& p, const std::array<double, 4>& values)
@@ -94,22 +140,16 @@ void BrickSampler::add(const std::array<Vector3, 4>& corners, const double* valu
     const double height = dot(normal, p[v] - base);
     const Vector3 slope = (1 / height) * normal;
     field.Weight[v] = { -dot(slope, base), slope[0], slope[1], slope[2] };
-    field.Root[v] = slope[0] != 0 ? -1 / slope[0] : 0;
   }
+  field.sortPlanes();
   this->setValues(field, box, values);
-  for (int z = box[2][0]; z <= box[2][1]; ++z)
+  if (this->lanes() == Few)
   {
-    for (int y = box[1][0]; y <= box[1][1]; ++y)
-    {
-      if (this->lanes() == Few)
-      {
-        this->fillRow<Few>(field, y, z, box[0]);
-      }
-      else
-      {
-        this->fillRow<Many>(field, y, z, box[0]);
-      }
-    }
+    this->fillFew(field, box);
+  }
+  else
+  {
+    this->fillMany(field, box);
   }
 }
 
@@ -147,59 +187,93 @@ void BrickSampler::setValues(Linear& field, const int box[3][2], const double* v
   }
 }
 
+/// Four rows at a time: where they are in the tetrahedron, from `from` to `to` along x, or nowhere if these are in no order.
 template <int Lanes>
-void BrickSampler::fillRow(const Linear& field, int y, int z, const int box[2])
+inline __attribute__((always_inline)) void BrickSampler::fill(
+  const Linear& field, const int box[3][2])
 {
-  double low = box[0];
-  double high = box[1];
-  for (std::size_t v = 0; v < 4; ++v)
+  constexpr int Block = 4;
+  using Rows = double __attribute__((vector_size(8 * Block)));
+  constexpr Rows Zero{};
+  constexpr Rows Below{ 0, 1, 2, 3 };
+  for (int z = box[2][0]; z <= box[2][1]; ++z)
   {
-    const auto& w = field.Weight[v];
-    const double at0 = w[0] + w[2] * y + w[3] * z + OnFace;
-    if (w[1] > 0)
+    for (int y = box[1][0]; y <= box[1][1]; y += Block)
     {
-      low = std::max(low, at0 * field.Root[v]);
-    }
-    else if (w[1] < 0)
-    {
-      high = std::min(high, at0 * field.Root[v]);
-    }
-    else if (at0 < 0)
-    {
-      return;
-    }
-  }
-  if (!(low <= high))
-  {
-    return;
-  }
-  // Neither is negative: what is cut off is rounded down.
-  const int last = static_cast<int>(high);
-  int first = static_cast<int>(low);
-  first += first < low ? 1 : 0;
-  float start[Lanes];
-  const auto fromX = static_cast<float>(first - field.Corner[0]);
-  const auto fromY = static_cast<float>(y - field.Corner[1]);
-  const auto fromZ = static_cast<float>(z - field.Corner[2]);
-  const auto& v = field.Value;
-  for (int lane = 0; lane < Lanes; ++lane)
-  {
-    start[lane] = v[0][lane] + v[1][lane] * fromX + v[2][lane] * fromY + v[3][lane] * fromZ;
-  }
-  float* sample = this->Values.data() +
-    ((static_cast<std::size_t>(z) * this->Count[1] + y) * this->Count[0] + first) * Lanes;
-  for (int x = 0; x <= last - first; ++x, sample += Lanes)
-  {
-    for (int lane = 0; lane < Lanes; ++lane)
-    {
-      sample[lane] = start[lane] + v[1][lane] * static_cast<float>(x);
+      Rows from = Zero + box[0][0];
+      Rows to = Zero + box[0][1];
+      for (int p = 0; p < 4; ++p)
+      {
+        const auto& plane = field.Planes[static_cast<std::size_t>(p)];
+        const Rows at = plane.constant + plane.slope[1] * (y + Below) + plane.slope[2] * z + OnFace;
+        if (p < field.Entered)
+        {
+          const Rows x = at * plane.root;
+          from = x > from ? x : from;
+        }
+        else if (p < field.Left)
+        {
+          const Rows x = at * plane.root;
+          to = x < to ? x : to;
+        }
+        else
+        {
+          to = at < 0 ? Zero - 1 : to;
+        }
+      }
+      for (int n = 0; n < Block && y + n <= box[1][1]; ++n)
+      {
+        if (from[n] <= to[n])
+        {
+          this->fillRow<Lanes>(field, y + n, z, from[n], to[n]);
+        }
+      }
     }
   }
 }
 
+template <int Lanes>
+inline __attribute__((always_inline)) void BrickSampler::fillRow(
+  const Linear& field, int y, int z, double low, double high)
+{
+  // Neither is negative: what is cut off is rounded down.
+  const int last = static_cast<int>(high);
+  int first = static_cast<int>(low);
+  first += first < low ? 1 : 0;
+  using Sample = typename SampleOf<Lanes>::Vector;
+  Sample base;
+  Sample slope;
+  Sample slopeY;
+  Sample slopeZ;
+  std::memcpy(&base, field.Value[0], sizeof base);
+  std::memcpy(&slope, field.Value[1], sizeof slope);
+  std::memcpy(&slopeY, field.Value[2], sizeof slopeY);
+  std::memcpy(&slopeZ, field.Value[3], sizeof slopeZ);
+  const Sample start = base + slope * static_cast<float>(first - field.Corner[0]) +
+    slopeY * static_cast<float>(y - field.Corner[1]) +
+    slopeZ * static_cast<float>(z - field.Corner[2]);
+  float* to = this->Values.data() +
+    ((static_cast<std::size_t>(z) * this->Count[1] + y) * this->Count[0] + first) * Lanes;
+  for (int x = 0; x <= last - first; ++x, to += Lanes)
+  {
+    const Sample sample = start + slope * static_cast<float>(x);
+    std::memcpy(to, &sample, sizeof sample);
+  }
+}
+
+NEPHOSCOPE_WIDE void BrickSampler::fillFew(const Linear& field, const int box[3][2])
+{
+  this->fill<Few>(field, box);
+}
+
+NEPHOSCOPE_WIDE void BrickSampler::fillMany(const Linear& field, const int box[3][2])
+{
+  this->fill<Many>(field, box);
+}
+
 /// The samples of a layer of a voxel, 256 at most, are added in single precision, and the layers in double.
 template <int Lanes>
-void BrickSampler::averageLanes(float* means) const
+inline __attribute__((always_inline)) void BrickSampler::averageLanes(float* means) const
 {
   const double all = this->Samples[0] * this->Samples[1] * this->Samples[2];
   for (int voxel = 0; voxel < Volume; ++voxel)
@@ -207,21 +281,21 @@ void BrickSampler::averageLanes(float* means) const
     const int x = voxel % Edge * this->Samples[0];
     const int y = voxel / Edge % Edge * this->Samples[1];
     const int z = voxel / (Edge * Edge) * this->Samples[2];
+    using Sample = typename SampleOf<Lanes>::Vector;
     double sums[Lanes] = {};
     for (int layer = 0; layer < this->Samples[2]; ++layer)
     {
-      float sum[Lanes] = {};
+      Sample sum{};
       for (int row = 0; row < this->Samples[1]; ++row)
       {
-        const float* sample = this->Values.data() +
+        const float* from = this->Values.data() +
           (static_cast<std::size_t>((z + layer) * this->Count[1] + y + row) * this->Count[0] + x) *
             Lanes;
-        for (int n = 0; n < this->Samples[0]; ++n, sample += Lanes)
+        for (int n = 0; n < this->Samples[0]; ++n, from += Lanes)
         {
-          for (int lane = 0; lane < Lanes; ++lane)
-          {
-            sum[lane] += sample[lane];
-          }
+          Sample sample;
+          std::memcpy(&sample, from, sizeof sample);
+          sum += sample;
         }
       }
       for (int lane = 0; lane < Lanes; ++lane)
@@ -238,7 +312,7 @@ void BrickSampler::averageLanes(float* means) const
   }
 }
 
-void BrickSampler::average(float* means) const
+NEPHOSCOPE_WIDE void BrickSampler::average(float* means) const
 {
   if (this->lanes() == Few)
   {

@@ -62,7 +62,11 @@ private:
   struct Linear;
   void setValues(Linear& field, const int box[3][2], const double* values) const;
   template <int Lanes>
-  void fillRow(const Linear& field, int y, int z, const int box[2]);
+  void fill(const Linear& field, const int box[3][2]);
+  template <int Lanes>
+  void fillRow(const Linear& field, int y, int z, double low, double high);
+  void fillFew(const Linear& field, const int box[3][2]);
+  void fillMany(const Linear& field, const int box[3][2]);
   template <int Lanes>
   void averageLanes(float* means) const;
   int lanes() const { return this->Quantities < Few ? Few : Many; }

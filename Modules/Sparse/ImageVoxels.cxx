@@ -21,15 +21,13 @@ std::array<double, 16> matrixOf(vtkImageData* image)
   return m;
 }
 
-/// One array's voxels of a brick. Returns whether any is kept.
-bool fillBrick(vtkImageData* image, vtkDataArray* array, double cut, VoxelGrid& made)
+/// One array's voxels of a brick, [component][voxel].
+void fillBrick(vtkImageData* image, vtkDataArray* array, const std::array<int, 3>& first,
+  double cut, std::vector<float>& values)
 {
-  const std::array<int, 3> first = made.bricks.back();
   int extent[6];
   image->GetExtent(extent);
-  const int n = made.components;
-  std::vector<float> values(made.floatsPerBrick(), 0.0F);
-  bool any = false;
+  std::fill(values.begin(), values.end(), 0.0F);
   for (std::size_t v = 0; v < VoxelGrid::Volume; ++v)
   {
     int at[3] = { first[0] + static_cast<int>(v % 8), first[1] + static_cast<int>(v / 8 % 8),
@@ -44,38 +42,41 @@ bool fillBrick(vtkImageData* image, vtkDataArray* array, double cut, VoxelGrid& 
       continue;
     }
     const vtkIdType point = image->ComputePointId(at);
-    for (int c = 0; c < n; ++c)
+    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
     {
       const auto value = static_cast<float>(array->GetComponent(point, c));
       const bool keep = std::isfinite(value) && static_cast<double>(std::abs(value)) > cut;
-      values[v * static_cast<std::size_t>(n) + static_cast<std::size_t>(c)] = keep ? value : 0.0F;
-      any = any || keep;
+      values[static_cast<std::size_t>(c) * VoxelGrid::Volume + v] = keep ? value : 0.0F;
     }
   }
-  if (any)
-  {
-    made.values.insert(made.values.end(), values.begin(), values.end());
-  }
-  return any;
 }
 
-VoxelGrid gridOf(vtkImageData* image, vtkDataArray* array, double tolerance)
+double cutOf(vtkDataArray* array, double tolerance)
 {
-  VoxelGrid made;
-  made.name = gridNameOf(array->GetName());
-  made.components = array->GetNumberOfComponents();
-  made.indexToWorld = matrixOf(image);
   double largest = 0;
-  for (int c = 0; c < made.components; ++c)
+  for (int c = 0; c < array->GetNumberOfComponents(); ++c)
   {
     const double* const range = array->GetFiniteRange(c);
     largest = std::max({ largest, std::abs(range[0]), std::abs(range[1]) });
   }
-  const double cut = tolerance * largest;
-  made.metadata.numbers["pruning_tolerance"] = cut;
+  return tolerance * largest;
+}
+
+FogGrid gridOf(vtkImageData* image, vtkDataArray* array, double tolerance)
+{
   int e[6];
   image->GetExtent(e);
   const auto floor8 = [](int i) { return i - ((i % 8) + 8) % 8; };
+  const auto bricksAlong = [&e, &floor8](int c)
+  { return static_cast<std::size_t>((floor8(e[2 * c + 1]) - floor8(e[2 * c])) / 8 + 1); };
+  FogGrid made(gridNameOf(array->GetName()), array->GetNumberOfComponents(),
+    bricksAlong(0) * bricksAlong(1) * bricksAlong(2));
+  made.indexToWorld = matrixOf(image);
+  made.tolerance = cutOf(array, tolerance);
+  made.metadata.numbers["pruning_tolerance"] = made.tolerance;
+  std::vector<float> values(
+    VoxelGrid::Volume * static_cast<std::size_t>(array->GetNumberOfComponents()));
+  std::size_t place = 0;
   std::array<int, 3> at{};
   for (at[2] = floor8(e[4]); at[2] <= e[5]; at[2] += VoxelGrid::Edge)
   {
@@ -83,11 +84,8 @@ VoxelGrid gridOf(vtkImageData* image, vtkDataArray* array, double tolerance)
     {
       for (at[0] = floor8(e[0]); at[0] <= e[1]; at[0] += VoxelGrid::Edge)
       {
-        made.bricks.push_back(at);
-        if (!fillBrick(image, array, cut, made))
-        {
-          made.bricks.pop_back();
-        }
+        fillBrick(image, array, at, made.tolerance, values);
+        made.put(place++, at, values.data());
       }
     }
   }
@@ -104,9 +102,9 @@ std::string gridNameOf(const std::string& arrayName)
                                          : arrayName;
 }
 
-std::vector<VoxelGrid> voxelsOf(vtkImageData* image, const VoxelOrder& order)
+std::vector<FogGrid> voxelsOf(vtkImageData* image, const VoxelOrder& order)
 {
-  std::vector<VoxelGrid> grids;
+  std::vector<FogGrid> grids;
   vtkPointData* const points = image->GetPointData();
   std::string names;
   for (int a = 0; a < points->GetNumberOfArrays(); ++a)

@@ -41,16 +41,21 @@ public:
     this->Masses.assign(this->Quantities.size(), 0);
   }
 
-  std::vector<VoxelGrid> make(const VoxelProgress& progress)
+  std::vector<FogGrid> make(const VoxelProgress& progress)
   {
     this->findCells();
     this->keepWanted();
     this->chooseSamples();
+    this->allot();
     if (!this->sample(progress))
     {
       return {};
     }
-    return this->collect();
+    for (std::size_t q = 0; q < this->Grids.size(); ++q)
+    {
+      this->conserve(q);
+    }
+    return std::move(this->Grids);
   }
 
 private:
@@ -118,15 +123,12 @@ private:
   void findCells();
   void keepWanted();
   void chooseSamples();
+  void allot();
   bool sample(const VoxelProgress& progress);
-  double keep(std::size_t first, double cut, VoxelGrid& made) const;
-  void conserve(std::size_t quantity, double sum, double cut, VoxelGrid& made) const;
-  VoxelGrid gridOf(std::size_t quantity, std::size_t channel) const;
-  std::vector<VoxelGrid> collect() const;
+  void conserve(std::size_t quantity);
   void addMass(const Corners& corners);
   void addCell(std::uint32_t cell, BrickSampler& sampler) const;
-  void sampleBrick(std::size_t brick, BrickSampler& sampler);
-  double cutOf(std::size_t quantity) const;
+  void sampleBrick(std::size_t brick, BrickSampler& sampler, std::vector<float>& means);
 
   VoxelOrder Order;
   std::vector<Quantity> Quantities;
@@ -139,8 +141,9 @@ private:
   std::vector<std::array<float, 3>> Extents; ///< of the cells, voxels
   std::vector<double> Masses;                ///< of the tetrahedra
   std::array<int, 3> Samples{ 2, 2, 2 };
-  std::vector<std::size_t> Starts;         ///< of the bricks in Pairs, and the end
-  std::vector<std::vector<float>> Sampled; ///< [brick]: [channel][voxel], or nothing
+  std::vector<std::size_t> Starts; ///< of the bricks in Pairs, and the end
+  std::vector<double> Cuts;        ///< [quantity]: what a value has to exceed
+  std::vector<FogGrid> Grids;      ///< [quantity]
 };
 
 /// The bricks that a cell's box touches, with a margin of half a voxel. @throw VDBError if they cannot be numbered
@@ -212,7 +215,7 @@ void Voxelizer::findCells()
       }
     }
   }
-  std::sort(this->Pairs.begin(), this->Pairs.end());
+  vtkSMPTools::Sort(this->Pairs.begin(), this->Pairs.end());
   for (std::size_t p = 0; p < this->Pairs.size(); ++p)
   {
     if (p == 0 || this->Pairs[p].brick != this->Pairs[p - 1].brick)
@@ -294,50 +297,94 @@ void Voxelizer::chooseSamples()
 void Voxelizer::addCell(std::uint32_t cell, BrickSampler& sampler) const
 {
   const Corners corners = this->cornersOf(cell);
-  std::array<double, 4 * 6> values{};
+  std::array<std::array<double, BrickSampler::MostQuantities>, 8> at; // [corner][channel]
+  for (std::size_t corner = 0; corner < 8; ++corner)
+  {
+    std::size_t channel = 0;
+    for (const Quantity& quantity : this->Quantities)
+    {
+      const auto n = static_cast<std::size_t>(quantity.components);
+      for (std::size_t c = 0; c < n; ++c)
+      {
+        at[corner][channel++] = quantity.values[n * corners.point[corner] + c];
+      }
+    }
+  }
+  std::array<double, 4 * BrickSampler::MostQuantities> values{};
   for (const TetrahedronVertices& t : TetrahedralSplit[static_cast<std::size_t>(corners.parity)])
   {
     std::array<Vector3, 4> places;
     for (std::size_t v = 0; v < 4; ++v)
     {
-      const std::size_t p = corners.point[t[v]];
-      places[v] = this->Points[p];
-      std::size_t channel = 0;
-      for (const Quantity& quantity : this->Quantities)
+      places[v] = this->Points[corners.point[t[v]]];
+      for (std::size_t channel = 0; channel < static_cast<std::size_t>(this->Channels); ++channel)
       {
-        const auto n = static_cast<std::size_t>(quantity.components);
-        for (std::size_t c = 0; c < n; ++c)
-        {
-          values[4 * channel++ + v] = quantity.values[n * p + c];
-        }
+        values[4 * channel + v] = at[t[v]][channel];
       }
     }
     sampler.add(places, values.data());
   }
 }
 
-void Voxelizer::sampleBrick(std::size_t brick, BrickSampler& sampler)
+void Voxelizer::sampleBrick(std::size_t brick, BrickSampler& sampler, std::vector<float>& means)
 {
   const Key& at = this->Pairs[this->Starts[brick]].brick;
   constexpr int Edge = BrickSampler::Edge;
-  sampler.begin({ at[2] * Edge, at[1] * Edge, at[0] * Edge });
+  const std::array<int, 3> origin{ at[2] * Edge, at[1] * Edge, at[0] * Edge };
+  sampler.begin(origin);
   for (std::size_t p = this->Starts[brick]; p < this->Starts[brick + 1]; ++p)
   {
     this->addCell(this->Pairs[p].cell, sampler);
   }
-  std::vector<float> made(static_cast<std::size_t>(this->Channels) * BrickSampler::Volume);
-  sampler.average(made.data());
-  if (std::any_of(made.begin(), made.end(), [](float value) { return value != 0; }))
+  sampler.average(means.data());
+  float* values = means.data();
+  for (std::size_t q = 0; q < this->Grids.size(); ++q)
   {
-    this->Sampled[brick] = std::move(made);
+    float* const end = values + BrickSampler::Volume * this->Grids[q].components();
+    const bool vector = this->Grids[q].components() == 3;
+    bool any = false;
+    for (float* value = values; value < end; ++value)
+    {
+      const bool keep = vector || static_cast<double>(*value) > this->Cuts[q];
+      *value = keep ? *value : 0.0F;
+      any = any || *value != 0;
+    }
+    if (any)
+    {
+      this->Grids[q].put(brick, origin, values);
+    }
+    values = end;
+  }
+}
+
+/// A grid for each quantity, with places for all bricks.
+void Voxelizer::allot()
+{
+  const Vector3& size = this->Frame.spacing;
+  for (const Quantity& quantity : this->Quantities)
+  {
+    this->Grids.emplace_back(quantity.name, quantity.components, this->Starts.size() - 1);
+    FogGrid& grid = this->Grids.back();
+    grid.indexToWorld = { size[0], 0, 0, 0, 0, size[1], 0, 0, 0, 0, size[2], 0, 0, 0, 0, 1 };
+    grid.metadata.texts["units"] = quantity.units;
+    float largest = 0;
+    for (const float value : quantity.values)
+    {
+      largest = value > largest ? value : largest; // not NaN
+    }
+    this->Cuts.push_back(this->Order.tolerance * static_cast<double>(largest));
   }
 }
 
 bool Voxelizer::sample(const VoxelProgress& progress)
 {
+  struct Own
+  {
+    std::shared_ptr<BrickSampler> sampler;
+    std::vector<float> means;
+  };
   const auto bricks = static_cast<vtkIdType>(this->Starts.size()) - 1;
-  this->Sampled.resize(static_cast<std::size_t>(bricks));
-  vtkSMPThreadLocal<std::shared_ptr<BrickSampler>> samplers;
+  vtkSMPThreadLocal<Own> owned;
   constexpr vtkIdType Parts = 20;
   for (vtkIdType part = 0; part < Parts; ++part)
   {
@@ -346,123 +393,54 @@ bool Voxelizer::sample(const VoxelProgress& progress)
       return false;
     }
     vtkSMPTools::For(bricks * part / Parts, bricks * (part + 1) / Parts,
-      [&samplers, this](vtkIdType begin, vtkIdType end)
+      [&owned, this](vtkIdType begin, vtkIdType end)
       {
-        auto& sampler = samplers.Local();
-        if (!sampler)
+        Own& own = owned.Local();
+        if (!own.sampler)
         {
-          sampler = std::make_shared<BrickSampler>(
+          own.sampler = std::make_shared<BrickSampler>(
             this->Frame, this->Samples, this->Channels, this->VectorChannels);
+          own.means.resize(static_cast<std::size_t>(this->Channels) * BrickSampler::Volume);
         }
         for (vtkIdType brick = begin; brick < end; ++brick)
         {
-          this->sampleBrick(static_cast<std::size_t>(brick), *sampler);
+          this->sampleBrick(static_cast<std::size_t>(brick), *own.sampler, own.means);
         }
       });
   }
   return true;
 }
 
-/// What a value of a quantity has to exceed.
-double Voxelizer::cutOf(std::size_t quantity) const
+/// Make the sum of a scalar's values that of the tetrahedra.
+void Voxelizer::conserve(std::size_t quantity)
 {
-  const auto& values = this->Quantities[quantity].values;
-  float largest = 0;
-  for (const float value : values)
+  FogGrid& grid = this->Grids[quantity];
+  if (grid.components() != 1)
   {
-    largest = value > largest ? value : largest; // not NaN
+    return;
   }
-  return this->Order.tolerance * static_cast<double>(largest);
-}
-
-/// What of the samples exceeds the cut, as bricks; returns the sum of the values.
-double Voxelizer::keep(std::size_t first, double cut, VoxelGrid& made) const
-{
-  const auto n = static_cast<std::size_t>(made.components);
-  double sum = 0;
-  for (std::size_t brick = 0; brick < this->Sampled.size(); ++brick)
-  {
-    const std::vector<float>& sampled = this->Sampled[brick];
-    std::vector<float> kept(sampled.empty() ? 0 : n * BrickSampler::Volume);
-    bool any = false;
-    for (std::size_t v = 0; v < kept.size(); ++v)
-    {
-      const float value = sampled[(first + v % n) * BrickSampler::Volume + v / n];
-      const bool keep = n == 3 ? value != 0 : static_cast<double>(value) > cut;
-      kept[v] = keep ? value : 0.0F;
-      sum += static_cast<double>(kept[v]);
-      any = any || keep;
-    }
-    if (any)
-    {
-      const Key& at = this->Pairs[this->Starts[brick]].brick;
-      constexpr int Edge = BrickSampler::Edge;
-      made.bricks.push_back({ at[2] * Edge, at[1] * Edge, at[0] * Edge });
-      made.values.insert(made.values.end(), kept.begin(), kept.end());
-    }
-  }
-  return sum;
-}
-
-/// Make the sum of a grid's values that of the tetrahedra.
-void Voxelizer::conserve(std::size_t quantity, double sum, double cut, VoxelGrid& made) const
-{
   const Vector3& size = this->Frame.spacing;
   const double mass = this->Masses[quantity];
+  const double sum = grid.sum();
   if (mass > 0 && !(sum > 0))
   {
     throw VDBError("No voxel of " + numberText(size[0]) + " x " + numberText(size[1]) + " x " +
-      numberText(size[2]) + " meets the clouds of '" + made.name + "'; choose smaller voxels");
+      numberText(size[2]) + " meets the clouds of '" + grid.name() + "'; choose smaller voxels");
   }
   const double factor = sum > 0 ? mass / (sum * size[0] * size[1] * size[2]) : 1;
-  for (float& value : made.values)
-  {
-    value = static_cast<float>(factor * static_cast<double>(value));
-  }
-  made.metadata.numbers["mass"] = mass;
-  made.metadata.numbers["mass_factor"] = factor;
-  made.metadata.numbers["pruning_tolerance"] = factor * cut;
-  made.metadata.texts["interpolation"] = "means over voxels, of " +
+  grid.multiply(factor);
+  grid.tolerance = factor * this->Cuts[quantity];
+  grid.metadata.numbers["mass"] = mass;
+  grid.metadata.numbers["mass_factor"] = factor;
+  grid.metadata.numbers["pruning_tolerance"] = grid.tolerance;
+  grid.metadata.texts["interpolation"] = "means over voxels, of " +
     std::to_string(this->Samples[0]) + " x " + std::to_string(this->Samples[1]) + " x " +
     std::to_string(this->Samples[2]) +
     " samples, of what is linear in five tetrahedra a cell; times mass_factor";
 }
-
-VoxelGrid Voxelizer::gridOf(std::size_t quantity, std::size_t channel) const
-{
-  const Vector3& size = this->Frame.spacing;
-  const Quantity& from = this->Quantities[quantity];
-  VoxelGrid made;
-  made.name = from.name;
-  made.components = from.components;
-  made.indexToWorld = { size[0], 0, 0, 0, 0, size[1], 0, 0, 0, 0, size[2], 0, 0, 0, 0, 1 };
-  made.metadata.texts["units"] = from.units;
-  const double cut = from.components == 1 ? this->cutOf(quantity) : 0;
-  const double sum = this->keep(channel, cut, made);
-  if (from.components == 1)
-  {
-    this->conserve(quantity, sum, cut, made);
-  }
-  return made;
 }
 
-std::vector<VoxelGrid> Voxelizer::collect() const
-{
-  std::vector<std::size_t> channels;
-  std::size_t channel = 0;
-  for (const Quantity& quantity : this->Quantities)
-  {
-    channels.push_back(channel);
-    channel += static_cast<std::size_t>(quantity.components);
-  }
-  std::vector<VoxelGrid> grids(channels.size());
-  forEachGrid(grids.size(),
-    [this, &grids, &channels](std::size_t q) { grids[q] = this->gridOf(q, channels[q]); });
-  return grids;
-}
-}
-
-std::vector<VoxelGrid> voxelsOf(
+std::vector<FogGrid> voxelsOf(
   vtkStructuredGrid* grid, const VoxelOrder& order, const VoxelProgress& progress)
 {
   int size[3];

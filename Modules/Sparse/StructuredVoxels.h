@@ -6,9 +6,7 @@
 #ifndef StructuredVoxels_h
 #define StructuredVoxels_h
 
-#include "VoxelGrid.h"
-
-#include <functional>
+#include "FogGrid.h"
 
 class vtkImageData;
 class vtkStructuredGrid;
@@ -27,19 +25,16 @@ struct VoxelOrder
   double fullCoverExtinction = 0.15e-3; ///< 1/m, where there is only a cloud fraction
 };
 
-/// Told how far the work is, 0 to 1; returns whether to go on.
-using VoxelProgress = std::function<bool(double)>;
-
 /**
  * The cells of a curvilinear grid as voxels: means over each voxel of the field that is linear in the cells' tetrahedra
  * (BrickSampler), then multiplied by one number that makes the total that of the tetrahedra.
  * @throw VDBError for what cannot be done; an empty result if progress said stop
  */
-std::vector<VoxelGrid> voxelsOf(
+std::vector<FogGrid> voxelsOf(
   vtkStructuredGrid* grid, const VoxelOrder& order, const VoxelProgress& progress);
 
 /// The points of an image as voxels, one each, unchanged: each point array of 1 or 3 components under the name it has in a file.
-std::vector<VoxelGrid> voxelsOf(vtkImageData* image, const VoxelOrder& order);
+std::vector<FogGrid> voxelsOf(vtkImageData* image, const VoxelOrder& order);
 
 /// The name in a file of a point array: density of Extinction, liquid of LiquidWater, ...; others keep theirs.
 std::string gridNameOf(const std::string& arrayName);

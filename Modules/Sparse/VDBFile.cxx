@@ -6,7 +6,6 @@
 #include <openvdb/io/Stream.h>
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/LevelSetUtil.h>
-#include <openvdb/tools/Prune.h>
 
 #include <cmath>
 #include <fstream>
@@ -42,15 +41,6 @@ void forEachVoxel(Visit&& visit)
   }
 }
 
-float take(const float* values, std::size_t voxel, float)
-{
-  return values[voxel];
-}
-openvdb::Vec3f take(const float* values, std::size_t voxel, const openvdb::Vec3f&)
-{
-  return { values[3 * voxel], values[3 * voxel + 1], values[3 * voxel + 2] };
-}
-
 void put(float* values, std::size_t voxel, double value)
 {
   values[voxel] = static_cast<float>(value);
@@ -60,18 +50,6 @@ void put(float* values, std::size_t voxel, const openvdb::Vec3f& value)
   for (std::size_t c = 0; c < 3; ++c)
   {
     values[3 * voxel + c] = value[static_cast<int>(c)];
-  }
-}
-
-void putMetadata(const VoxelMetadata& from, openvdb::MetaMap& to)
-{
-  for (const auto& [key, text] : from.texts)
-  {
-    to.insertMeta(key, openvdb::StringMetadata(text));
-  }
-  for (const auto& [key, number] : from.numbers)
-  {
-    to.insertMeta(key, openvdb::DoubleMetadata(number));
   }
 }
 
@@ -100,62 +78,6 @@ void takeMetadata(const openvdb::MetaMap& from, VoxelMetadata& to)
       to.texts[entry->first] = value.str();
     }
   }
-}
-
-/// OpenVDB's matrices stand left of row vectors: the transpose of ours.
-openvdb::math::Transform::Ptr transformOf(const std::array<double, 16>& m)
-{
-  openvdb::math::Mat4d matrix;
-  for (int row = 0; row < 4; ++row)
-  {
-    for (int column = 0; column < 4; ++column)
-    {
-      matrix[column][row] = m[static_cast<std::size_t>(4 * row + column)];
-    }
-  }
-  // A map of scales and a translation alone is written as such, which more programs understand.
-  return openvdb::math::Transform::createLinearTransform(matrix);
-}
-
-template <class Grid>
-openvdb::GridBase::Ptr makeGrid(const VoxelGrid& from, const VDBWriteOptions& options)
-{
-  using Value = typename Grid::ValueType;
-  const auto grid = Grid::create(openvdb::zeroVal<Value>());
-  for (std::size_t b = 0; b < from.bricks.size(); ++b)
-  {
-    const auto& origin = from.bricks[b];
-    auto* const leaf = grid->tree().touchLeaf(openvdb::Coord(origin[0], origin[1], origin[2]));
-    const float* const values = from.values.data() + b * from.floatsPerBrick();
-    forEachVoxel(
-      [&](std::size_t voxel, std::size_t place)
-      {
-        const Value value = take(values, voxel, Value());
-        if (value != openvdb::zeroVal<Value>())
-        {
-          leaf->setValueOn(static_cast<openvdb::Index>(place), value);
-        }
-      });
-  }
-  openvdb::tools::prune(grid->tree(), Value(static_cast<float>(options.tolerance)));
-  grid->setTransform(transformOf(from.indexToWorld));
-  grid->setName(from.name);
-  grid->setGridClass(openvdb::GRID_FOG_VOLUME);
-  grid->setVectorType(
-    from.components == 1 ? openvdb::VEC_INVARIANT : openvdb::VEC_CONTRAVARIANT_RELATIVE);
-  grid->setSaveFloatAsHalf(options.half);
-  putMetadata(from.metadata, *grid);
-  return grid;
-}
-
-void initialize()
-{
-  static const bool once = []
-  {
-    openvdb::initialize();
-    return true;
-  }();
-  (void)once;
 }
 
 /// The bytes of a file that make it one of a single grid.
@@ -394,52 +316,6 @@ openvdb::GridBase::Ptr parse(const std::string& bytes, VoxelMetadata& metadata)
   return grids && !grids->empty() ? grids->front() : openvdb::GridBase::Ptr();
 }
 
-/// OpenVDB's own File does not notice that the disk is full.
-class CheckedFile : public openvdb::io::Archive
-{
-public:
-  void save(
-    const std::string& path, const openvdb::GridPtrVec& grids, const openvdb::MetaMap& about) const
-  {
-    std::ofstream stream(path, std::ios::binary);
-    if (stream)
-    {
-      this->Archive::write(stream, grids, true, about);
-      stream.close();
-    }
-    if (!stream)
-    {
-      throw VDBError(path + ": cannot be written; is the disk full?");
-    }
-  }
-};
-}
-
-void writeVDB(const std::string& path, const std::vector<VoxelGrid>& grids,
-  const std::vector<VDBWriteOptions>& options, const VoxelMetadata& metadata)
-{
-  initialize();
-  try
-  {
-    openvdb::GridPtrVec made(grids.size());
-    forEachGrid(grids.size(),
-      [&](std::size_t g)
-      {
-        made[g] = grids[g].components == 1 ? makeGrid<openvdb::FloatGrid>(grids[g], options[g])
-                                           : makeGrid<openvdb::Vec3SGrid>(grids[g], options[g]);
-      });
-    openvdb::MetaMap about;
-    putMetadata(metadata, about);
-    CheckedFile().save(path, made, about);
-  }
-  catch (const openvdb::Exception& error)
-  {
-    throw VDBError(path + ": cannot be written: " + error.what());
-  }
-}
-
-namespace
-{
 /// The grid of a file, as bricks. @throw VDBError, or what OpenVDB throws of damaged files
 void readGrid(const std::string& path, const std::string& subject, const VDBHeader& header,
   const VDBEntry& entry, double maximumVoxels, VDBReadResult& result)
@@ -472,7 +348,7 @@ void readGrid(const std::string& path, const std::string& subject, const VDBHead
 
 VDBReadResult readVDB(const std::string& path, const std::string& name, double maximumVoxels)
 {
-  initialize();
+  openvdb::initialize();
   const VDBHeader header = readVDBHeader(path);
   const VDBEntry& entry = chooseGrid(path, header, name);
   const std::string subject = path + ": the grid '" + entry.name + "'";

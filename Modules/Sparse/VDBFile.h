@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VDBFile.h
- * @brief The only place that knows OpenVDB: bricks to a .vdb file and back.
+ * @brief A .vdb file as bricks.
  */
 #ifndef VDBFile_h
 #define VDBFile_h
@@ -10,21 +10,6 @@
 
 namespace nephoscope
 {
-struct VDBWriteOptions
-{
-  bool half = false; ///< 16-bit floats in the file
-  double tolerance =
-    0; ///< nodes whose values differ by no more become one tile; in the grid's unit
-};
-
-/**
- * Write fog volumes. Voxels that are 0 are inactive.
- * @param path written directly; who needs a file whole or not at all renames it
- * @throw VDBError if it cannot be written
- */
-void writeVDB(const std::string& path, const std::vector<VoxelGrid>& grids,
-  const std::vector<VDBWriteOptions>& options, const VoxelMetadata& metadata);
-
 struct VDBReadResult
 {
   VoxelGrid grid;

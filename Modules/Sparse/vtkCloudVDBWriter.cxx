@@ -4,7 +4,6 @@
 #include "CloudArrays.h"
 #include "NumberText.h"
 #include "StructuredVoxels.h"
-#include "VDBFile.h"
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
@@ -24,6 +23,8 @@ vtkStandardNewMacro(vtkCloudVDBWriter);
 namespace
 {
 using nephoscope::VDBError;
+
+constexpr double Sampling = 0.6; // share of the time
 
 /// Another name in the same folder, whose file is removed unless it was renamed.
 class Beside
@@ -173,7 +174,7 @@ vtkTypeBool vtkCloudVDBWriter::ProcessRequest(
   return 1;
 }
 
-std::vector<nephoscope::VoxelGrid> vtkCloudVDBWriter::MakeGrids(vtkDataObject* data)
+std::vector<nephoscope::FogGrid> vtkCloudVDBWriter::MakeGrids(vtkDataObject* data)
 {
   using namespace nephoscope;
   VoxelOrder order;
@@ -192,7 +193,7 @@ std::vector<nephoscope::VoxelGrid> vtkCloudVDBWriter::MakeGrids(vtkDataObject* d
   return voxelsOf(grid, order,
     [this](double done)
     {
-      this->UpdateProgress(0.9 * done);
+      this->UpdateProgress(Sampling * done);
       return !this->GetAbortExecute();
     });
 }
@@ -204,7 +205,7 @@ void vtkCloudVDBWriter::WriteData(vtkDataObject* data)
   {
     throw VDBError("There is no name of a file to write; set FileName");
   }
-  const std::vector<VoxelGrid> grids = this->MakeGrids(data);
+  std::vector<FogGrid> grids = this->MakeGrids(data);
   if (this->GetAbortExecute())
   {
     return;
@@ -220,28 +221,31 @@ void vtkCloudVDBWriter::WriteData(vtkDataObject* data)
       about.texts[key] = text;
     }
   }
-  std::vector<VDBWriteOptions> options;
   this->Grids.clear();
-  for (const VoxelGrid& grid : grids)
+  for (const FogGrid& grid : grids)
   {
     const auto number = [&grid](const char* key)
     {
       const auto found = grid.metadata.numbers.find(key);
       return found == grid.metadata.numbers.end() ? 0 : found->second;
     };
-    options.push_back({ this->Half, number("pruning_tolerance") });
-    const auto empty = std::count(grid.values.begin(), grid.values.end(), 0.0F);
-    this->Grids.push_back({ grid.name,
-      (static_cast<vtkIdType>(grid.values.size()) - static_cast<vtkIdType>(empty)) /
-        grid.components,
-      number("mass"), number("mass_factor") });
+    this->Grids.push_back({ grid.name(), static_cast<vtkIdType>(grid.voxels()), number("mass"),
+      number("mass_factor") });
   }
   this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
   const Beside file(this->FileName);
-  writeVDB(file.partial(), grids, options, about);
-  file.commit();
+  const bool whole = writeVDB(file.partial(), grids, this->Half, about,
+    [this](double done)
+    {
+      this->UpdateProgress(Sampling + (1 - Sampling) * done);
+      return !this->GetAbortExecute();
+    });
+  if (whole)
+  {
+    file.commit();
+    this->UpdateProgress(1);
+  }
   this->SetErrorCode(vtkErrorCode::NoError);
-  this->UpdateProgress(1);
 }
 
 int vtkCloudVDBWriter::GetNumberOfGrids() const

@@ -7,7 +7,7 @@
  *  1. the cells that have cloud are sorted into bricks of 8 x 8 x 8 voxels;
  *  2. each brick's voxels get the mean of the field over them, in parallel (nephoscope::BrickSampler);
  *  3. voxels up to PruningTolerance are dropped, and one factor a grid makes its total that of the cells;
- *  4. bricks of one value become tiles; the file is written beside its place and renamed.
+ *  4. bricks of one value become tiles; grids are compressed side by side, and the file is written beside its place and renamed.
  * The points of a vtkImageData are written as voxels, one each, without passes 1 to 3.
  *
  * Input    port 0, vtkStructuredGrid with the point arrays that vtkCloudNetCDFReader gives, or vtkImageData with any.
@@ -42,7 +42,7 @@
 
 namespace nephoscope
 {
-struct VoxelGrid;
+class FogGrid;
 }
 
 class VTKCLOUDSPARSE_EXPORT vtkCloudVDBWriter : public vtkAlgorithm
@@ -136,7 +136,7 @@ private:
   vtkCloudVDBWriter(const vtkCloudVDBWriter&) = delete;
   void operator=(const vtkCloudVDBWriter&) = delete;
 
-  std::vector<nephoscope::VoxelGrid> MakeGrids(vtkDataObject* data);
+  std::vector<nephoscope::FogGrid> MakeGrids(vtkDataObject* data);
   void WriteData(vtkDataObject* data);
 
   char* FileName = nullptr;

@@ -2,6 +2,7 @@
 // Clouds to OpenVDB and back: values, places, metadata, mass; and what OpenVDB's own tool says of the file.
 #include "Optics.h"
 #include "SparseTesting.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCloudVDBWriter.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -9,11 +10,15 @@
 #include "vtkMath.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 #include "vtkStringArray.h"
 #include "vtkStructuredGrid.h"
 
 #include <gtest/gtest.h>
 
+#include <openvdb/openvdb.h>
+
+#include <algorithm>
 #include <cstdio>
 #include <numeric>
 
@@ -388,6 +393,96 @@ TEST(CloudVDB, MetadataComeBack)
   EXPECT_NE(textOf(read.data, "interpolation").find("samples"), std::string::npos);
   EXPECT_EQ(writer->GetNumberOfGrids(), 1);
   EXPECT_EQ(folder.numberOfFiles(), 1U); // and nothing beside it
+}
+
+TEST(CloudVDB, OneThreadMakesTheSameVoxelsAsSeveral)
+{
+  const Folder folder;
+  write(shell(), folder.file("several.vdb"), 5);
+  vtkSMPTools::LocalScope(
+    vtkSMPTools::Config{ 1 }, [&] { write(shell(), folder.file("one.vdb"), 5); });
+  for (const char* const name : { "density", "liquid", "wind" })
+  {
+    const Read several = readAs(vtkCloudVDBReader::Bricks, folder.file("several.vdb"), name);
+    const Read one = readAs(vtkCloudVDBReader::Bricks, folder.file("one.vdb"), name);
+    auto* const a =
+      vtkFloatArray::SafeDownCast(bricksOf(several)->GetPointData()->GetArray(arrays::VoxelBricks));
+    auto* const b =
+      vtkFloatArray::SafeDownCast(bricksOf(one)->GetPointData()->GetArray(arrays::VoxelBricks));
+    ASSERT_EQ(a->GetNumberOfValues(), b->GetNumberOfValues());
+    ASSERT_GT(a->GetNumberOfValues(), 0);
+    EXPECT_TRUE(
+      std::equal(a->GetPointer(0), a->GetPointer(0) + a->GetNumberOfValues(), b->GetPointer(0)))
+      << name;
+  }
+}
+
+TEST(CloudVDB, ArraysThatShareANameAreGridsOfTheirOwn)
+{
+  const Folder folder;
+  const auto image = blob();
+  const auto twice = named("density", 1, image->GetNumberOfPoints()); // what Extinction is called
+  const auto wind = named(arrays::Wind, 3, image->GetNumberOfPoints());
+  for (vtkIdType p = 0; p < image->GetNumberOfPoints(); ++p)
+  {
+    const double value = image->GetPointData()->GetScalars()->GetComponent(p, 0);
+    twice->SetValue(p, static_cast<float>(2 * value));
+    wind->SetTuple3(p, value, 0, -3 * value);
+  }
+  image->GetPointData()->AddArray(twice);
+  image->GetPointData()->AddArray(wind);
+  vtkNew<vtkCloudVDBWriter> writer;
+  writer->SetInputData(image);
+  writer->SetFileName(folder.file("blob.vdb").c_str());
+  ASSERT_EQ(writer->Write(), 1);
+  ASSERT_EQ(writer->GetNumberOfGrids(), 3);
+  EXPECT_EQ(writer->GetNumberOfVoxels(0), writer->GetNumberOfVoxels(2)); // vectors, not numbers
+  const Read first = readAs(vtkCloudVDBReader::Bricks, folder.file("blob.vdb"));
+  const Read third = readAs(vtkCloudVDBReader::Bricks, folder.file("blob.vdb"), "wind");
+  const double sum = sumOf(bricksOf(first));
+  EXPECT_GT(sum, 0);
+  EXPECT_NEAR(sumOf(bricksOf(third)) / sum, 1 - 3, 1e-5);
+  openvdb::io::File file(folder.file("blob.vdb"));
+  file.open();
+  double sums = 0;
+  const auto grids = file.getGrids();
+  for (const auto& grid : *grids)
+  {
+    if (const auto fog = openvdb::gridPtrCast<openvdb::FloatGrid>(grid))
+    {
+      for (auto value = fog->cbeginValueOn(); value; ++value)
+      {
+        sums += static_cast<double>(*value);
+      }
+    }
+  }
+  EXPECT_NEAR(sums / sum, 3, 1e-5);
+}
+
+TEST(CloudVDB, WhatIsStoppedLeavesNothing)
+{
+  const Folder folder;
+  for (const double when : { 0.1, 0.62 }) // of the sampling, of the saving
+  {
+    vtkNew<vtkCloudVDBWriter> writer;
+    writer->SetInputData(shell());
+    writer->SetFileName(folder.file("shell.vdb").c_str());
+    writer->SetVoxelSize(5, 5, 5);
+    vtkNew<vtkCallbackCommand> stop;
+    double progress = when;
+    stop->SetClientData(&progress);
+    stop->SetCallback(
+      [](vtkObject* caller, unsigned long, void* data, void* done)
+      {
+        static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(
+          *static_cast<double*>(done) > *static_cast<double*>(data));
+      });
+    writer->AddObserver(vtkCommand::ProgressEvent, stop);
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1 }, [&writer] { EXPECT_EQ(writer->Write(), 0); });
+    EXPECT_EQ(writer->GetErrorCode(), 0U); // it was told to
+    EXPECT_EQ(folder.numberOfFiles(), 0U);
+    EXPECT_LT(writer->GetProgress(), 1);
+  }
 }
 
 TEST(CloudVDB, VdbPrintReadsWhatIsWritten)
