@@ -6,10 +6,9 @@
 #ifndef AirSnapshot_h
 #define AirSnapshot_h
 
+#include "ColumnShare.h"
 #include "CoordinateMap.h"
 
-#include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -17,27 +16,39 @@ class vtkStructuredGrid;
 
 namespace nephoscope
 {
-/// What makes a grid unusable for trajectories; what() is the one line that says so.
-class GridError : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
-
-/// What stays the same at all times: where the columns stand and what a metre of height is in the scene.
+/// What stays the same at all times: where the columns stand, what a metre of height is in the scene, and which columns are whose.
 struct AirGrid
 {
-  ColumnGrid columns;
+  ColumnGrid columns; ///< of the whole grid, in all processes
+  ColumnShare share;
+  PointExtent whole{}; ///< of the grid's data
   int levels = 1;
   double radius = 6371229; ///< m; of a Globe its PlanetRadius
   double heightScale = 1;  ///< metres of place per metre of height
   bool sphere = false;     ///< Globe or Map
   bool globe = false;      ///< points and winds are Cartesian already
 
-  std::size_t points() const
+  /// Own points, and what is the number of one: own columns in their order, level after level.
+  std::size_t points() const { return this->share.own().size() * this->levels; }
+  /// Of the whole grid.
+  std::size_t allPoints() const
   {
-    return static_cast<std::size_t>(this->columns.columns()) * this->columns.rows() * this->levels;
+    return static_cast<std::size_t>(this->share.columns()) * this->share.rows() * this->levels;
   }
+  struct Point
+  {
+    int i;
+    int j;
+    int k;
+  };
+  Point point(std::size_t number) const
+  {
+    const ColumnRectangle& own = this->share.own();
+    const std::size_t column = number % own.size();
+    return { own.column(column), own.row(column), static_cast<int>(number / own.size()) };
+  }
+  /// Air at rest on the grid, without heights.
+  AirMotion still() const;
 };
 
 /**
@@ -47,16 +58,21 @@ struct AirGrid
  */
 AirGrid airGridOf(vtkStructuredGrid* grid);
 
-/// Wind and heights of one time. Values that are not finite are read as 0 (calm).
+/// Of a grid whose blocks several processes have: `grid` is this one's, with or without more about it, or has no points where the share
+/// has none. All processes get the same, or all throw. @param whole extent of the grid
+AirGrid airGridOf(
+  vtkStructuredGrid* grid, vtkMultiProcessController* controller, const PointExtent& whole);
+
+/// Wind and heights of one time at the own points. Values that are not finite are read as 0 (calm).
 struct AirSnapshot
 {
   double time = 0;               ///< s
   std::vector<float> velocity;   ///< along the level's horizontal, Cartesian, 3 a point, m/s
   std::vector<float> upward;     ///< m/s
   std::vector<float> height;     ///< m
-  std::vector<WindMeasure> rows; ///< of each row of each level
+  std::vector<WindMeasure> rows; ///< of each whole row of each level
 };
-/// Throws GridError where Wind or Height is missing or the grid is another than `air` describes.
+/// Throws GridError where Wind or Height is missing or the grid is another than `air` describes; of several processes in all.
 AirSnapshot airSnapshotOf(const AirGrid& air, vtkStructuredGrid* grid, double time);
 
 /// How trajectories are computed that end in each row of each level.
@@ -84,24 +100,39 @@ private:
   std::vector<unsigned char> Substeps;
 };
 
-/// Two snapshots, which have to outlive it, as an interval, with the motion through the levels at both ends.
+/**
+ * Two snapshots, which have to outlive it, as an interval, with the motion through the levels at both ends. Of several processes each has
+ * what air may come from to its points, and all have to make it together.
+ */
 class AirInterval
 {
 public:
-  AirInterval(const AirGrid& air, const AirSnapshot& begin, const AirSnapshot& end);
+  /// @param reach how far air may come, in units of how far the strongest wind carries it
+  AirInterval(
+    const AirGrid& air, const AirSnapshot& begin, const AirSnapshot& end, double reach = 1);
+  AirInterval(const AirInterval&) = delete;
+  AirInterval& operator=(const AirInterval&) = delete;
   const AirMotion& motion() const { return this->Motion; }
+  /// The columns that it has.
+  const Neighborhood& about() const { return this->About; }
   /// Schemes with as many substeps as the interval's wind needs for a tolerance in metres.
   RowSchemes schemes(Integrator integrator, Interpolation interpolation, double tolerance) const;
 
 private:
-  void setLevelVelocity(int j);
+  struct ColumnProfile;
+  void setLevelVelocity(const AirGrid& air, std::size_t column, ColumnProfile& profile);
 
   const AirSnapshot* Ends[2];
+  Neighborhood About;
   AirMotion Motion;
-  std::vector<float> LevelVelocity[2];
+  NearbyValues Velocity[2];
+  NearbyValues Height[2];
+  std::vector<float> OwnLevelVelocity[2];
+  NearbyValues LevelVelocity[2];
 };
 
-/// The strain rate, 1/s, that a share of a wind's grid points do not exceed: the largest rate of stretching along the levels.
+/// The strain rate, 1/s, that a share of a wind's grid points, those of all processes, do not exceed: the largest rate of stretching
+/// along the levels.
 double strainOfShare(const AirGrid& air, const AirSnapshot& snapshot, double share);
 }
 #endif

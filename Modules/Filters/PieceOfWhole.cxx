@@ -4,6 +4,7 @@
 #include "ColumnBlocks.h"
 #include "LatticeGrid.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -113,6 +114,19 @@ void askForWhole(vtkInformation* input)
   input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
   input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
   input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+}
+
+bool askForPiece(vtkInformation* input, vtkInformation* output, int ghosts)
+{
+  askForWhole(input);
+  const bool gives = input->Has(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST()) != 0;
+  if (gives)
+  {
+    input->CopyEntry(output, Pipeline::UPDATE_PIECE_NUMBER());
+    input->CopyEntry(output, Pipeline::UPDATE_NUMBER_OF_PIECES());
+    input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), ghosts);
+  }
+  return gives;
 }
 
 void cutPiece(vtkDataSet* output, vtkInformation* information)

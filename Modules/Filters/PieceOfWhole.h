@@ -15,6 +15,12 @@ namespace nephoscope
 void askForWhole(vtkInformation* input);
 
 /**
+ * @brief Ask an input for the output's piece, with other levels of ghosts; for its whole extent if it gives no pieces.
+ * @return whether it gives pieces
+ */
+bool askForPiece(vtkInformation* input, vtkInformation* output, int ghosts);
+
+/**
  * @brief Cut a structured output down to the piece that its information asks for, if that is one of several.
  *
  * The piece is a nephoscope::columnBlock with its ghosts marked; of a vtkStructuredGrid that closes on itself they go on across the

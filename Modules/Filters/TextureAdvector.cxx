@@ -5,6 +5,7 @@
 #include "vtkStructuredGrid.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace nephoscope
@@ -45,6 +46,17 @@ TextureAdvector::TextureAdvector(const Settings& settings, std::vector<double> t
         " is not later than the one before: trajectories need times that rise.");
     }
   }
+}
+
+void TextureAdvector::divide(vtkMultiProcessController* controller, const PointExtent& whole)
+{
+  this->Controller = controller;
+  this->Whole = whole;
+}
+
+double TextureAdvector::progress() const
+{
+  return static_cast<double>(this->Next - this->First) / (this->Last - this->First + 2);
 }
 
 int TextureAdvector::stepBefore(double time) const
@@ -96,8 +108,7 @@ void TextureAdvector::begin(double target)
 
 void TextureAdvector::learn(vtkStructuredGrid* grid)
 {
-  this->Air = airGridOf(grid);
-  this->Known = true;
+  this->Air = this->Controller ? airGridOf(grid, this->Controller, this->Whole) : airGridOf(grid);
   if (this->Setting.crossFade && !this->Times.empty())
   {
     this->Period = this->Setting.restartPeriod;
@@ -111,6 +122,7 @@ void TextureAdvector::learn(vtkStructuredGrid* grid)
         std::min(std::max(std::log(2.0) / (1.5 * strain), ShortestPeriod), LongestPeriod);
     }
   }
+  this->Known = true;
 }
 
 void TextureAdvector::plan()
@@ -135,6 +147,7 @@ void TextureAdvector::plan()
   {
     this->Next = std::min(this->Next, this->firstStep(texture));
   }
+  this->First = this->Next;
   this->skipKnown();
 }
 
@@ -201,8 +214,7 @@ void TextureAdvector::cross(int step)
     legs.end());
   if (!legs.empty())
   {
-    const AirInterval interval(this->Air, begin->second, this->Snapshots[step]);
-    this->advance(interval, legs, 1, true);
+    this->advance(begin->second, this->Snapshots[step], legs, 1, true);
     for (Leg& leg : legs)
     {
       this->States[{ leg.texture, step }] = std::move(leg.result);
@@ -214,75 +226,84 @@ void TextureAdvector::cross(int step)
   }
 }
 
-/// Textures that set off together have the same trajectories.
-void TextureAdvector::advance(
+void TextureAdvector::advance(const AirSnapshot& begin, const AirSnapshot& end,
+  std::vector<Leg>& legs, double to, bool asDisplacement)
+{
+  bool known = false;
+  for (double reach = 1; !known; reach *= 2)
+  {
+    const AirInterval interval(this->Air, begin, end, reach);
+    known = this->advanceWithin(interval, legs, to, asDisplacement);
+  }
+}
+
+/// Textures that set off together have the same trajectories. Returns false if air came from beyond the columns that a process has.
+bool TextureAdvector::advanceWithin(
   const AirInterval& interval, std::vector<Leg>& legs, double to, bool asDisplacement)
 {
   const RowSchemes schemes = interval.schemes(
     this->Setting.integrator, this->Setting.interpolation, this->Setting.tolerance);
   this->Substeps = schemes.mostSubsteps();
+  std::vector<NearbyValues> states;
   for (Leg& leg : legs)
   {
     leg.result.resize(3 * this->Air.points());
+    states.push_back(
+      leg.state ? interval.about().gather(*leg.state, this->Air.levels, 3) : NearbyValues());
   }
   const AirMotion& motion = interval.motion();
-  const int nx = this->Air.columns.columns();
-  const int ny = this->Air.columns.rows();
-  const auto advanceRow = [&motion, &schemes, &legs, nx, to, asDisplacement](int j, int k)
+  const auto advancePoint = [&](vtkIdType p, Departure& departure)
   {
+    const auto [i, j, k] = this->Air.point(static_cast<std::size_t>(p));
     const TrajectoryScheme scheme = schemes.at(j, k);
-    Departure departure;
-    for (int i = 0; i < nx; ++i)
+    const Vector3 home = asDisplacement ? placeOfPoint(motion, i, j, k, to) : Vector3{ 0, 0, 0 };
+    bool known = true;
+    for (std::size_t n = 0; n < legs.size(); ++n)
     {
-      const Vector3 home = asDisplacement ? placeOfPoint(motion, i, j, k, to) : Vector3{ 0, 0, 0 };
-      const std::size_t point = i + static_cast<std::size_t>(nx) * j + motion.columns() * k;
-      for (std::size_t n = 0; n < legs.size(); ++n)
+      if (n == 0 || legs[n].from != legs[n - 1].from)
       {
-        if (n == 0 || legs[n].from != legs[n - 1].from)
-        {
-          depart(motion, scheme, i, j, k, legs[n].from, to, departure);
-        }
-        const float* const known = legs[n].state ? legs[n].state->data() : nullptr;
-        store(carriedCoordinates(departure, known) - home, legs[n].result.data() + 3 * point);
+        depart(motion, scheme, i, j, k, legs[n].from, to, departure);
+        known = known && departure.known;
       }
+      const float* const state = legs[n].state ? states[n].data() : nullptr;
+      store(carriedCoordinates(departure, state) - home, legs[n].result.data() + 3 * p);
     }
+    return known;
   };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(ny) * this->Air.levels,
-    [&advanceRow, ny](vtkIdType begin, vtkIdType end)
+  std::atomic<bool> known{ true };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Air.points()),
+    [&advancePoint, &known](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType row = begin; row < end; ++row)
+      Departure departure;
+      for (vtkIdType p = begin; p < end; ++p)
       {
-        advanceRow(static_cast<int>(row % ny), static_cast<int>(row / ny));
+        if (!advancePoint(p, departure))
+        {
+          known = false;
+        }
       }
     });
+  return this->Air.share.everywhere(known);
 }
 
 /// On a file time there is no way to go: coordinates are the places and the displacements there.
 void TextureAdvector::stand(const AirSnapshot& now, std::vector<Leg>& legs) const
 {
-  AirMotion motion;
-  motion.wind.grid = &this->Air.columns;
-  motion.wind.radius = this->Air.radius;
-  motion.height[0] = motion.height[1] = now.height.data();
-  motion.heightScale = this->Air.heightScale;
-  const int nx = this->Air.columns.columns();
-  const int ny = this->Air.columns.rows();
+  const AirMotion still = this->Air.still();
   for (Leg& leg : legs)
   {
     leg.result = leg.state ? *leg.state : Displacement(3 * this->Air.points(), 0.0F);
     float* const out = leg.result.data();
-    vtkSMPTools::For(0, static_cast<vtkIdType>(ny) * this->Air.levels,
-      [&motion, out, nx, ny](vtkIdType begin, vtkIdType end)
+    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Air.points()),
+      [this, &still, &now, out](vtkIdType begin, vtkIdType end)
       {
-        for (vtkIdType row = begin; row < end; ++row)
+        for (vtkIdType p = begin; p < end; ++p)
         {
-          for (int i = 0; i < nx; ++i)
-          {
-            float* const moved = out + 3 * (i + nx * row);
-            store(Vector3{ moved[0], moved[1], moved[2] } +
-                placeOfPoint(motion, i, static_cast<int>(row % ny), static_cast<int>(row / ny), 0),
-              moved);
-          }
+          const AirGrid::Point point = this->Air.point(static_cast<std::size_t>(p));
+          float* const moved = out + 3 * p;
+          store(Vector3{ moved[0], moved[1], moved[2] } +
+              placeOf(still, this->Air.columns.position(point.i, point.j), now.height[p]),
+            moved);
         }
       });
   }
@@ -301,8 +322,7 @@ void TextureAdvector::locateTextures(Result& result)
   }
   else
   {
-    this->advance(AirInterval(this->Air, begin, end), legs,
-      (this->Target - begin.time) / (end.time - begin.time), false);
+    this->advance(begin, end, legs, (this->Target - begin.time) / (end.time - begin.time), false);
   }
   for (Leg& leg : legs)
   {
@@ -329,31 +349,60 @@ void TextureAdvector::displaceOther(Result& result) const
 /// Of the heavier texture.
 void TextureAdvector::measureStretch(Result& result) const
 {
+  const Neighborhood beside(this->Air.share, this->Air.columns, this->Air.radius, 0);
   const AirSnapshot& now = this->Snapshots.at(this->stepBefore(this->Target));
-  AirMotion motion;
-  motion.wind.grid = &this->Air.columns;
-  motion.wind.levels = this->Air.levels;
-  motion.wind.radius = this->Air.radius;
-  motion.height[0] = motion.height[1] = now.height.data();
-  motion.heightScale = this->Air.heightScale;
-  const int nx = this->Air.columns.columns();
-  const int ny = this->Air.columns.rows();
+  const NearbyValues height = beside.gather(now.height, this->Air.levels, 1);
+  const NearbyValues coordinates = beside.gather(
+    result.coordinates[result.weight[1] > result.weight[0] ? 1 : 0], this->Air.levels, 3);
+  AirMotion motion = this->Air.still();
+  motion.wind.held = beside.held();
+  motion.height[0] = motion.height[1] = height.data();
   result.stretch.resize(this->Air.points());
-  const float* const c = result.coordinates[result.weight[1] > result.weight[0] ? 1 : 0].data();
-  float* const out = result.stretch.data();
-  vtkSMPTools::For(0, static_cast<vtkIdType>(ny) * this->Air.levels,
-    [&motion, c, out, nx, ny](vtkIdType begin, vtkIdType end)
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Air.points()),
+    [this, &motion, &coordinates, &result](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType row = begin; row < end; ++row)
+      for (vtkIdType p = begin; p < end; ++p)
       {
-        for (int i = 0; i < nx; ++i)
-        {
-          out[i + nx * row] = static_cast<float>(
-            stretchAt(motion, c, i, static_cast<int>(row % ny), static_cast<int>(row / ny))
-              .largest);
-        }
+        const AirGrid::Point point = this->Air.point(static_cast<std::size_t>(p));
+        result.stretch[p] = static_cast<float>(
+          stretchAt(motion, coordinates.data(), point.i, point.j, point.k).largest);
       }
     });
+  const auto half = static_cast<long long>(this->Air.allPoints() / 2);
+  result.medianStretch = this->Air.share.ranked(result.stretch, half);
+  result.maximumStretch = this->Air.share.largest(result.stretch, 0);
+}
+
+/// From the own points to all of a process's grid, which has columns of others on its borders and as ghosts.
+void TextureAdvector::spread(vtkStructuredGrid* grid, Result& result) const
+{
+  if (!this->Air.share.isDivided())
+  {
+    return;
+  }
+  std::vector<int> columns;
+  if (grid->GetNumberOfPoints() > 0)
+  {
+    int extent[6];
+    grid->GetExtent(extent);
+    const int ring = this->Whole[1] - this->Whole[0]; // whose ghosts go on beyond its ends
+    for (int j = extent[2]; j <= extent[3]; ++j)
+    {
+      for (int i = extent[0]; i <= extent[1]; ++i)
+      {
+        const int column = i - this->Whole[0];
+        const bool inside = column >= 0 && column <= ring;
+        columns.push_back((inside ? column : (column + ring) % ring) +
+          this->Air.share.columns() * (j - this->Whole[2]));
+      }
+    }
+  }
+  const ColumnRequest request(this->Air.share, columns);
+  for (std::size_t n = 0; n < this->Textures.size(); ++n)
+  {
+    result.coordinates[n] = request.fetch(result.coordinates[n], this->Air.levels, 3);
+  }
+  result.stretch = request.fetch(result.stretch, this->Air.levels, 1);
 }
 
 TextureAdvector::Result TextureAdvector::finish(vtkStructuredGrid* grid)
@@ -366,11 +415,13 @@ TextureAdvector::Result TextureAdvector::finish(vtkStructuredGrid* grid)
     this->stand(now, still);
     result.coordinates[0] = std::move(still[0].result);
     result.stretch.assign(this->Air.points(), 1.0F);
+    this->spread(grid, result);
     return result;
   }
   this->locateTextures(result);
   this->measureStretch(result);
   this->displaceOther(result);
+  this->spread(grid, result);
   this->forget();
   return result;
 }

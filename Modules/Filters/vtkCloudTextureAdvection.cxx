@@ -4,11 +4,13 @@
 #include "CloudArrays.h"
 #include "PieceOfWhole.h"
 #include "TextureAdvector.h"
+#include "vtkCompositeDataPipeline.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -23,20 +25,45 @@ struct vtkCloudTextureAdvection::Progress
 {
   nephoscope::TextureAdvector Textures;
   bool Running = false; // between the first time taken in an update and its end
+  bool Cut = true;      // whether the input comes whole
 };
+
+/// The usual executive, which would not call the filter when its input has failed: other processes would wait for it, and between two of its
+/// times it would be asked for the next one for ever.
+class vtkCloudTextureAdvection::Pipeline : public vtkCompositeDataPipeline
+{
+public:
+  static Pipeline* New();
+  vtkTypeMacro(Pipeline, vtkCompositeDataPipeline);
+
+protected:
+  using Superclass::ForwardUpstream;
+  int ForwardUpstream(vtkInformation* request) override
+  {
+    const int result = this->Superclass::ForwardUpstream(request);
+    auto* const filter = vtkCloudTextureAdvection::SafeDownCast(this->GetAlgorithm());
+    if (!filter || !request->Has(REQUEST_DATA()))
+    {
+      return result;
+    }
+    filter->InputCame = result != 0;
+    return 1;
+  }
+};
+vtkStandardNewMacro(vtkCloudTextureAdvection::Pipeline);
 
 namespace
 {
-using Pipeline = vtkStreamingDemandDrivenPipeline;
+using Keys = vtkStreamingDemandDrivenPipeline;
 
 std::vector<double> timesOf(vtkInformation* info)
 {
-  if (!info->Has(Pipeline::TIME_STEPS()))
+  if (!info->Has(Keys::TIME_STEPS()))
   {
     return {};
   }
-  const double* const steps = info->Get(Pipeline::TIME_STEPS());
-  return { steps, steps + info->Length(Pipeline::TIME_STEPS()) };
+  const double* const steps = info->Get(Keys::TIME_STEPS());
+  return { steps, steps + info->Length(Keys::TIME_STEPS()) };
 }
 
 void addArray(
@@ -51,13 +78,42 @@ void addArray(
 }
 }
 
-vtkCloudTextureAdvection::vtkCloudTextureAdvection() = default;
+vtkCloudTextureAdvection::vtkCloudTextureAdvection()
+  : Controller(vtkMultiProcessController::GetGlobalController())
+{
+}
 vtkCloudTextureAdvection::~vtkCloudTextureAdvection() = default;
 
-int vtkCloudTextureAdvection::RequestInformation(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+void vtkCloudTextureAdvection::SetController(vtkMultiProcessController* controller)
 {
-  // Called whenever this or the input has changed: nothing from before holds.
+  if (this->Controller != controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkCloudTextureAdvection::GetController() const
+{
+  return this->Controller;
+}
+
+bool vtkCloudTextureAdvection::IsTogether(vtkInformation* output) const
+{
+  const int ranks = this->Controller ? this->Controller->GetNumberOfProcesses() : 1;
+  return ranks > 1 && output->Get(Keys::UPDATE_NUMBER_OF_PIECES()) == ranks &&
+    output->Get(Keys::UPDATE_PIECE_NUMBER()) == this->Controller->GetLocalProcessId();
+}
+
+vtkExecutive* vtkCloudTextureAdvection::CreateDefaultExecutive()
+{
+  return Pipeline::New();
+}
+
+/// Throws GridError.
+void vtkCloudTextureAdvection::Begin(vtkInformation* input, bool together)
+{
+  this->Work.reset();
   nephoscope::TextureAdvector::Settings settings;
   settings.integrator = this->Integrator == RungeKutta4 ? nephoscope::Integrator::RungeKutta4
                                                         : nephoscope::Integrator::RungeKutta2;
@@ -66,14 +122,26 @@ int vtkCloudTextureAdvection::RequestInformation(
   settings.tolerance = this->Tolerance;
   settings.crossFade = this->CrossFade;
   settings.restartPeriod = this->RestartPeriod;
+  nephoscope::TextureAdvector textures(settings, timesOf(input));
+  if (together)
+  {
+    nephoscope::PointExtent whole;
+    input->Get(Keys::WHOLE_EXTENT(), whole.data());
+    textures.divide(this->Controller, whole);
+  }
+  this->Work = std::make_unique<Progress>(Progress{ std::move(textures) });
+}
+
+int vtkCloudTextureAdvection::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  // Called whenever this or the input has changed: nothing from before holds.
   try
   {
-    this->Work = std::make_unique<Progress>(Progress{
-      nephoscope::TextureAdvector(settings, timesOf(inputs[0]->GetInformationObject(0))) });
+    this->Begin(inputs[0]->GetInformationObject(0), false);
   }
   catch (const nephoscope::GridError& error)
   {
-    this->Work.reset();
     vtkErrorMacro(<< error.what());
     return 0;
   }
@@ -84,27 +152,56 @@ int vtkCloudTextureAdvection::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkInformation* const in = inputs[0]->GetInformationObject(0);
-  nephoscope::askForWhole(in);
-  const std::vector<double> times = timesOf(in);
-  if (!this->Work || times.empty())
-  {
-    return this->Work ? 1 : 0;
-  }
   vtkInformation* const out = outputs->GetInformationObject(0);
-  const double target =
-    out->Has(Pipeline::UPDATE_TIME_STEP()) ? out->Get(Pipeline::UPDATE_TIME_STEP()) : times.front();
-  if (!this->Work->Running)
+  if (!this->Work)
   {
+    return 0;
+  }
+  const bool together = this->IsTogether(out);
+  if (together != this->Work->Textures.isDivided())
+  {
+    this->Begin(in, together); // what is known is of other columns
+  }
+  const std::vector<double> times = timesOf(in);
+  double target = 0;
+  if (!times.empty())
+  {
+    target =
+      out->Has(Keys::UPDATE_TIME_STEP()) ? out->Get(Keys::UPDATE_TIME_STEP()) : times.front();
     if (!(target >= times.front() && target <= times.back()))
     {
       vtkErrorMacro("Time " << target << " s is not within the input's, " << times.front() << " to "
                             << times.back() << " s.");
       return 0;
     }
-    this->Work->Textures.begin(target);
   }
-  in->Set(Pipeline::UPDATE_TIME_STEP(),
-    this->Work->Textures.isReady() ? target : this->Work->Textures.nextTime());
+  return this->Ask(in, out, target);
+}
+
+/// Ask for what is needed next: a file time, and at last the target.
+int vtkCloudTextureAdvection::Ask(vtkInformation* input, vtkInformation* output, double target)
+{
+  nephoscope::TextureAdvector& textures = this->Work->Textures;
+  if (!this->Work->Running)
+  {
+    textures.begin(target);
+  }
+  const bool timed = input->Has(Keys::TIME_STEPS()) != 0;
+  const bool last = textures.isReady() || !timed;
+  this->Work->Cut = true;
+  if (textures.isDivided())
+  {
+    const int ghosts = last ? output->Get(Keys::UPDATE_NUMBER_OF_GHOST_LEVELS()) : 0;
+    this->Work->Cut = !nephoscope::askForPiece(input, output, ghosts);
+  }
+  else
+  {
+    nephoscope::askForWhole(input);
+  }
+  if (timed)
+  {
+    input->Set(Keys::UPDATE_TIME_STEP(), last ? target : textures.nextTime());
+  }
   return 1;
 }
 
@@ -113,56 +210,72 @@ int vtkCloudTextureAdvection::RequestData(
 {
   vtkStructuredGrid* const input = vtkStructuredGrid::GetData(inputs[0]);
   vtkStructuredGrid* const output = vtkStructuredGrid::GetData(outputs);
+  nephoscope::TextureAdvector& textures = this->Work->Textures;
+  request->Remove(Keys::CONTINUE_EXECUTING());
+  this->Work->Running = false;
   try
   {
-    const bool timed = !timesOf(inputs[0]->GetInformationObject(0)).empty();
-    if (!timed)
+    textures.require(this->InputCame ? "" : "The input has failed; see its message.");
+    if (!textures.isReady())
     {
-      this->Work->Textures.begin(0);
-    }
-    if (!this->Work->Textures.isReady())
-    {
-      this->Work->Textures.take(input);
-      if (timed)
+      textures.take(input);
+      this->UpdateProgress(textures.progress());
+      if (!textures.everywhere(!this->GetAbortExecute()))
+      {
+        return 1;
+      }
+      if (inputs[0]->GetInformationObject(0)->Has(Keys::TIME_STEPS()))
       {
         this->Work->Running = true;
-        request->Set(Pipeline::CONTINUE_EXECUTING(), 1);
+        request->Set(Keys::CONTINUE_EXECUTING(), 1);
         return 1;
       }
     }
-    const nephoscope::TextureAdvector::Result result = this->Work->Textures.finish(input);
     output->ShallowCopy(input);
-    vtkPointData* const data = output->GetPointData();
-    addArray(data, nephoscope::arrays::TextureCoordinates, 3, result.coordinates[0]);
-    if (!result.coordinates[1].empty())
+    vtkInformation* const out = outputs->GetInformationObject(0);
+    if (textures.isDivided() && this->Work->Cut)
     {
-      addArray(data, nephoscope::arrays::OtherTextureCoordinates, 3, result.coordinates[1]);
-      vtkNew<vtkDoubleArray> weights;
-      weights->SetName(nephoscope::arrays::TextureWeights);
-      weights->InsertNextValue(result.weight[0]);
-      weights->InsertNextValue(result.weight[1]);
-      output->GetFieldData()->AddArray(weights);
+      nephoscope::cutPiece(output, out);
     }
-    addArray(data, nephoscope::arrays::TextureStretch, 1, result.stretch);
-    std::vector<float> ordered = result.stretch;
-    const auto middle = ordered.begin() + static_cast<std::ptrdiff_t>(ordered.size() / 2);
-    std::nth_element(ordered.begin(), middle, ordered.end());
-    this->MedianStretch = *middle;
-    this->MaximumStretch = *std::max_element(middle, ordered.end());
-    this->UsedRestartPeriod = this->Work->Textures.period();
-    this->NumberOfSubsteps = this->Work->Textures.substeps();
-    nephoscope::cutPiece(output, outputs->GetInformationObject(0));
+    this->AddCoordinates(output);
+    if (!textures.isDivided())
+    {
+      nephoscope::cutPiece(output, out);
+    }
   }
   catch (const nephoscope::GridError& error)
   {
+    output->Initialize();
     vtkErrorMacro(<< error.what());
-    request->Remove(Pipeline::CONTINUE_EXECUTING());
-    this->Work->Running = false;
     return 0;
   }
-  request->Remove(Pipeline::CONTINUE_EXECUTING());
-  this->Work->Running = false;
   return 1;
+}
+
+void vtkCloudTextureAdvection::AddCoordinates(vtkStructuredGrid* output)
+{
+  nephoscope::TextureAdvector& textures = this->Work->Textures;
+  const nephoscope::TextureAdvector::Result result = textures.finish(output);
+  this->UsedRestartPeriod = textures.period();
+  this->MedianStretch = result.medianStretch;
+  this->MaximumStretch = result.maximumStretch;
+  this->NumberOfSubsteps = textures.substeps();
+  if (output->GetNumberOfPoints() == 0)
+  {
+    return; // more processes than columns
+  }
+  vtkPointData* const data = output->GetPointData();
+  addArray(data, nephoscope::arrays::TextureCoordinates, 3, result.coordinates[0]);
+  if (!result.coordinates[1].empty())
+  {
+    addArray(data, nephoscope::arrays::OtherTextureCoordinates, 3, result.coordinates[1]);
+    vtkNew<vtkDoubleArray> weights;
+    weights->SetName(nephoscope::arrays::TextureWeights);
+    weights->InsertNextValue(result.weight[0]);
+    weights->InsertNextValue(result.weight[1]);
+    output->GetFieldData()->AddArray(weights);
+  }
+  addArray(data, nephoscope::arrays::TextureStretch, 1, result.stretch);
 }
 
 void vtkCloudTextureAdvection::PrintSelf(ostream& os, vtkIndent indent)
@@ -174,6 +287,7 @@ void vtkCloudTextureAdvection::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Tolerance: " << this->Tolerance << " m\n";
   os << indent << "CrossFade: " << (this->CrossFade ? "on" : "off") << '\n';
   os << indent << "RestartPeriod: " << this->RestartPeriod << " s\n";
+  os << indent << "Controller: " << this->Controller.Get() << '\n';
   os << indent << "UsedRestartPeriod: " << this->UsedRestartPeriod << " s\n";
   os << indent << "MedianStretch: " << this->MedianStretch << '\n';
   os << indent << "MaximumStretch: " << this->MaximumStretch << '\n';

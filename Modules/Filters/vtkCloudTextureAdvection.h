@@ -31,8 +31,13 @@
  *          320 x 160 x 19 points, Runge-Kutta 2, linear, one substep: 0.4 s of one core, half of it for locating positions in
  *          the grid and reading the wind there. Spread over threads, the same bits for any number. Memory: wind and height
  *          at two times, 12 bytes a point and texture.
- * Pieces   each asks for the whole extent and gives its block of columns: over a texture's life the air of a column comes from half
- *          the globe, so its halo would be nearly the whole. RestartPeriod and the stretch are those of the whole.
+ * Pieces   together, where each process of the Controller asks for its own of as many pieces (UpdatePiece(rank, ranks)): each
+ *          reads its block and follows the air of its own columns alone. For every interval it gets, from the processes that have
+ *          them, wind, heights, motion through the levels and displacements of the columns about its block, as far as the strongest wind
+ *          carries air in the interval. The strongest wind and strain of each row, the strain for RestartPeriod and the
+ *          statistics of the stretch are those of the whole. Coordinates are the bits of one process. All processes have to update,
+ *          with the same settings and times; errors and aborts are those of all. Other pieces, and inputs that do not give pieces:
+ *          each asks for the whole extent and gives its block.
  * Limits   NaN winds are calm. Air that comes from beyond the edge of a regional grid has the edge's
  *          coordinates.
  * @sa Trajectory.h, CoordinateMap.h, vtkCloudTexture, TestCloudTextureAdvection.cxx
@@ -41,9 +46,13 @@
 #define vtkCloudTextureAdvection_h
 
 #include "vtkCloudFiltersModule.h" // for export macro
+#include "vtkSmartPointer.h"       // for the controller
 #include "vtkStructuredGridAlgorithm.h"
 
 #include <memory> // for members
+
+class vtkMultiProcessController;
+class vtkStructuredGrid;
 
 class VTKCLOUDFILTERS_EXPORT vtkCloudTextureAdvection : public vtkStructuredGridAlgorithm
 {
@@ -101,6 +110,13 @@ public:
   ///@}
 
   ///@{
+  /// Processes that advect together, each its piece. Default the global controller of VTK, which ParaView's servers have and a
+  /// program of one process has not; null: each for itself.
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController() const;
+  ///@}
+
+  ///@{
   /// Of the last update: the period in use (s), median and largest TextureStretch, the most substeps of a row in the last interval.
   vtkGetMacro(UsedRestartPeriod, double);
   vtkGetMacro(MedianStretch, double);
@@ -112,6 +128,7 @@ protected:
   vtkCloudTextureAdvection();
   ~vtkCloudTextureAdvection() override;
 
+  vtkExecutive* CreateDefaultExecutive() override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -130,6 +147,15 @@ private:
   double MaximumStretch = 1;
   int NumberOfSubsteps = 1;
 
+  class Pipeline;
+  bool IsTogether(vtkInformation* output) const;
+  void Begin(vtkInformation* input, bool together);
+  int Ask(vtkInformation* input, vtkInformation* output, double target);
+  void TakeTime(vtkInformation* request, vtkStructuredGrid* input);
+  void AddCoordinates(vtkStructuredGrid* output);
+
+  vtkSmartPointer<vtkMultiProcessController> Controller;
+  bool InputCame = true;
   struct Progress;
   std::unique_ptr<Progress> Work;
 };

@@ -54,6 +54,9 @@ public:
   int period() const { return this->Period; }
   int columns() const { return static_cast<int>(this->X.Values.size()); }
   int rows() const { return static_cast<int>(this->Y.Values.size()); }
+  /// Longitudes or x of the columns and latitudes or y of the rows, radians or metres.
+  const std::vector<double>& columnCoordinates() const { return this->X.Values; }
+  const std::vector<double>& rowCoordinates() const { return this->Y.Values; }
 
   /// The position of a column. Cost: three multiplications.
   Vector3 position(int i, int j) const

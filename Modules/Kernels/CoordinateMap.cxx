@@ -10,10 +10,10 @@ namespace
 /// The columns about a column, one-sided at edges, and the differences of position across it, m along the level.
 struct Surroundings
 {
-  int west;
-  int east;
-  int south;
-  int north;
+  std::size_t west; // places of the columns
+  std::size_t east;
+  std::size_t south;
+  std::size_t north;
   Vector3 a; // from west to east
   Vector3 b; // from south to north
 
@@ -34,10 +34,10 @@ struct Surroundings
     const double scale = grid.isSphere() ? air.wind.radius : 1;
     this->a = scale * (grid.position(after, j) - grid.position(before, j));
     this->b = scale * (grid.position(i, above) - grid.position(i, below));
-    this->west = before + nx * j;
-    this->east = after + nx * j;
-    this->south = i + nx * below;
-    this->north = i + nx * above;
+    this->west = air.wind.point(before, j, 0);
+    this->east = air.wind.point(after, j, 0);
+    this->south = air.wind.point(i, below, 0);
+    this->north = air.wind.point(i, above, 0);
   }
 
   double aa() const { return dot(this->a, this->a); }
@@ -62,8 +62,7 @@ Vector3 placeOf(const AirMotion& air, const Vector3& position, double height)
 
 Vector3 placeOfPoint(const AirMotion& air, int i, int j, int k, double at)
 {
-  const std::size_t point =
-    i + static_cast<std::size_t>(air.wind.grid->columns()) * j + air.columns() * k;
+  const std::size_t point = air.wind.point(i, j, k);
   const double height = (1 - at) * air.height[0][point] + at * air.height[1][point];
   return placeOf(air, air.wind.grid->position(i, j), height);
 }
@@ -71,16 +70,17 @@ Vector3 placeOfPoint(const AirMotion& air, int i, int j, int k, double at)
 void depart(const AirMotion& air, const TrajectoryScheme& scheme, int i, int j, int k, double from,
   double to, Departure& departure)
 {
-  const ColumnGrid& grid = *air.wind.grid;
   if (from == to)
   {
     departure.place = placeOfPoint(air, i, j, k, to);
-    departure.stencil.set(i + static_cast<std::size_t>(grid.columns()) * j + air.columns() * k);
+    departure.stencil.set(air.wind.point(i, j, k));
+    departure.known = true;
     return;
   }
   const Parcel was = followFromPoint(air.wind, scheme, i, j, k, to, from);
   ColumnStencil across;
-  grid.locate(was.position, scheme.interpolation, across);
+  air.wind.grid->locate(was.position, scheme.interpolation, across);
+  departure.known = air.wind.held.find(across) && was.known;
   departure.stencil.set(
     air.columns(), across, levelStencil(was.level, air.wind.levels, scheme.interpolation));
   double height = 0;
@@ -109,11 +109,10 @@ Vector3 carriedCoordinates(const Departure& departure, const float* displacement
 }
 
 ColumnSlope::ColumnSlope(const AirMotion& air, int i, int j)
-  : Column(i + static_cast<std::size_t>(air.wind.grid->columns()) * j)
+  : Column(air.wind.point(i, j, 0))
 {
   const Surroundings s(air, i, j);
-  this->Beside = { static_cast<std::size_t>(s.west), static_cast<std::size_t>(s.east),
-    static_cast<std::size_t>(s.south), static_cast<std::size_t>(s.north) };
+  this->Beside = { s.west, s.east, s.south, s.north };
   this->Flat = !s.span();
   if (!this->Flat)
   {
@@ -152,13 +151,12 @@ Stretch stretchAt(const AirMotion& air, const float* coordinates, int i, int j, 
     return {};
   }
   // Distances on the point's own level, which lies above the sphere by its scaled height.
-  const std::size_t point =
-    air.columns() * k + static_cast<std::size_t>(air.wind.grid->columns()) * j + i;
+  const std::size_t point = air.wind.point(i, j, k);
   const double above = air.wind.grid->isSphere() && air.height[0]
     ? 1 + air.heightScale * air.height[0][point] / air.wind.radius
     : 1;
   const float* const c = coordinates + 3 * air.columns() * k;
-  const auto difference = [c](int from, int to)
+  const auto difference = [c](std::size_t from, std::size_t to)
   {
     return Vector3{ static_cast<double>(c[3 * to]) - c[3 * from],
       static_cast<double>(c[3 * to + 1]) - c[3 * from + 1],

@@ -25,10 +25,7 @@ struct AirMotion
   const float* height[2] = {}; ///< at t0 and t1, m, one a point
   double heightScale = 1;      ///< metres of place per metre of height
 
-  std::size_t columns() const
-  {
-    return static_cast<std::size_t>(this->wind.grid->columns()) * this->wind.grid->rows();
-  }
+  std::size_t columns() const { return this->wind.columns(); } ///< in a level of the arrays
 };
 
 /// P: on the sphere (R + s z) direction, in the plane (x, y, s z); m.
@@ -42,6 +39,7 @@ struct Departure
 {
   Vector3 place; ///< P_a(x_a), m
   PointStencil stencil;
+  bool known = true; ///< false if it led through air that is not held: then the place means nothing
 };
 
 /// Of the air that is at a point of the grid at fraction `to`, at fraction `from`. One for all maps that are carried from there.

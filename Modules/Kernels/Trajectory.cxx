@@ -13,6 +13,7 @@ struct Motion
 {
   Vector3 across{ 0, 0, 0 };
   double up = 0;
+  bool known = true;
 };
 
 /// The wind at a fraction of the interval. On one of its ends the other end's wind, which may be no number, is not read.
@@ -62,26 +63,28 @@ Motion motionAt(const WindPair& wind, Interpolation interpolation, const Parcel&
   const Vector3 place = distance > 0 ? (1 / distance) * parcel.position : parcel.position;
   ColumnStencil across;
   wind.grid->locate(place, interpolation, across);
+  if (!wind.held.find(across) || !parcel.known)
+  {
+    return { { 0, 0, 0 }, 0, false };
+  }
   PointStencil stencil;
-  stencil.set(static_cast<std::size_t>(wind.grid->columns()) * wind.grid->rows(), across,
-    levelStencil(parcel.level, wind.levels, interpolation));
+  stencil.set(wind.columns(), across, levelStencil(parcel.level, wind.levels, interpolation));
   return alongSurface(wind, readMotion(wind, at, stencil), place, distance);
 }
 
 /// Velocity at a point of the grid.
 Motion motionAtPoint(const WindPair& wind, int i, int j, int k, double at)
 {
-  const ColumnGrid& grid = *wind.grid;
   PointStencil stencil;
-  stencil.set(
-    i + static_cast<std::size_t>(grid.columns()) * (j + static_cast<std::size_t>(grid.rows()) * k));
-  return alongSurface(wind, readMotion(wind, at, stencil), grid.position(i, j), 1);
+  stencil.set(wind.point(i, j, k));
+  return alongSurface(wind, readMotion(wind, at, stencil), wind.grid->position(i, j), 1);
 }
 
 Parcel moved(const Parcel& parcel, const Motion& motion, double seconds, int levels)
 {
   return { parcel.position + seconds * motion.across,
-    std::min(std::max(parcel.level + seconds * motion.up, 0.0), levels - 1.0) };
+    std::min(std::max(parcel.level + seconds * motion.up, 0.0), levels - 1.0),
+    parcel.known && motion.known };
 }
 
 /// Follow a parcel whose motion at the beginning is known.
@@ -106,6 +109,7 @@ Parcel followAfter(const WindPair& wind, const TrajectoryScheme& scheme, Motion 
       const Motion k4 = motion(moved(parcel, k3, seconds, wind.levels), at + step);
       mean.across = (1.0 / 6) * (k1.across + 2 * k2.across + 2 * k3.across + k4.across);
       mean.up = (k1.up + 2 * k2.up + 2 * k3.up + k4.up) / 6;
+      mean.known = k4.known;
     }
     parcel = moved(parcel, mean, seconds, wind.levels);
     if (wind.grid->isSphere())

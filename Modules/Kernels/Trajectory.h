@@ -35,23 +35,63 @@ enum class Integrator
   RungeKutta4
 };
 
+/// Which columns of a grid the arrays of values hold, and where in each level: all of them in order, or some, each at its place.
+struct HeldColumns
+{
+  const int* place =
+    nullptr; ///< of each column of the grid, negative where it is not held; null: all in order
+  std::size_t count = 0; ///< of columns held, if not all
+
+  std::size_t at(std::size_t column) const
+  {
+    return this->place ? static_cast<std::size_t>(this->place[column]) : column;
+  }
+  /// Make places of a stencil's columns. False where one is not held: then it has the first place.
+  bool find(ColumnStencil& stencil) const
+  {
+    bool held = true;
+    for (int n = 0; this->place && n < stencil.count; ++n)
+    {
+      const int place = this->place[stencil.column[n]];
+      held = held && place >= 0;
+      stencil.column[n] = std::max(place, 0);
+    }
+    return held;
+  }
+};
+
 /// Wind at two times on a grid of levels. Arrays are borrowed; where what is read from them is not finite, the air is at rest.
 struct WindPair
 {
   const ColumnGrid* grid = nullptr;
+  HeldColumns held; ///< by all arrays
   int levels = 1;
   double radius = 6371229; ///< of the sphere, m; not used in a plane
   const float* velocity
     [2] = {}; ///< at t0 and t1: 3 components a point, Cartesian, m/s; no component along the level's vertical
   const float* levelVelocity[2] = {}; ///< levels per second at t0 and t1, or null: none
   double seconds = 0;                 ///< t1 - t0
+
+  /// Columns in a level of the arrays.
+  std::size_t columns() const
+  {
+    return this->held.place ? this->held.count
+                            : static_cast<std::size_t>(this->grid->columns()) * this->grid->rows();
+  }
+  /// Where the value of a point that is held stands.
+  std::size_t point(int i, int j, int k) const
+  {
+    return this->held.at(i + static_cast<std::size_t>(this->grid->columns()) * j) +
+      this->columns() * k;
+  }
 };
 
 /// A parcel of air.
 struct Parcel
 {
-  Vector3 position; ///< unit vector, or metres in the plane
-  double level = 0; ///< 0 .. levels - 1
+  Vector3 position;  ///< unit vector, or metres in the plane
+  double level = 0;  ///< 0 .. levels - 1
+  bool known = true; ///< false if it met wind that is not held, which counts as calm
 };
 
 /// How a trajectory is computed.

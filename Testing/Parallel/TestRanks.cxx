@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Many processes: run by mpirun with 1 to 5 of them. Pictures and surfaces are those of one process.
 #include "PieceTesting.h"
+#include "RankTesting.h"
 
 #include "vtkCloudCellVolume.h"
 #include "vtkCloudContour.h"
@@ -14,10 +15,8 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
-#include "vtkCommunicator.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
-#include "vtkMPIController.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkStructuredGrid.h"
@@ -27,34 +26,11 @@
 
 #include <cmath>
 #include <cstring>
-#include <iostream>
 #include <memory>
 
 namespace
 {
 const std::string Climate = std::string(NEPHOSCOPE_SOURCE_DIR) + "/Data/sample_climate.nc";
-
-vtkMultiProcessController* controller()
-{
-  return vtkMultiProcessController::GetGlobalController();
-}
-int rank()
-{
-  return controller()->GetLocalProcessId();
-}
-int ranks()
-{
-  return controller()->GetNumberOfProcesses();
-}
-
-/// Whether something holds in all processes; all of them ask.
-bool everywhere(bool here)
-{
-  const int mine = here ? 1 : 0;
-  int all = 0;
-  controller()->AllReduce(&mine, &all, 1, vtkCommunicator::MIN_OP);
-  return all == 1;
-}
 
 /// A globe seen from 4 radii away, off its axes.
 void look(vtkCloudscape* scape, int width, int height)
@@ -288,20 +264,6 @@ TEST(RankedPicture, ProcessesWithNothing)
   EXPECT_EQ(everywhere(!nothing), ranks() <= 3);
 }
 
-/// Remembers that there was an error, and does not print it.
-struct Errors
-{
-  explicit Errors(vtkObject* of)
-  {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
-      { static_cast<Errors*>(self)->Text += static_cast<const char*>(text); });
-    of->AddObserver("ErrorEvent", this->Command);
-  }
-  vtkNew<vtkCallbackCommand> Command;
-  std::string Text;
-};
-
 /// What one process cannot draw none draws, and none waits for ever.
 TEST(RankedPicture, ErrorInOneProcess)
 {
@@ -391,33 +353,7 @@ TEST(RankedSurface, HasTheTrianglesOfTheWhole)
 }
 }
 
-/// What processes but the first say: their failures.
-class FailurePrinter : public testing::EmptyTestEventListener
-{
-  void OnTestPartResult(const testing::TestPartResult& result) override
-  {
-    if (result.failed())
-    {
-      std::cerr << "process " << rank() << ": " << result.file_name() << ':' << result.line_number()
-                << ": " << result.message() << std::endl;
-    }
-  }
-};
-
 int main(int argc, char* argv[])
 {
-  vtkNew<vtkMPIController> world;
-  world->Initialize(&argc, &argv);
-  vtkMultiProcessController::SetGlobalController(world);
-  testing::InitGoogleTest(&argc, argv);
-  if (world->GetLocalProcessId() > 0)
-  {
-    testing::TestEventListeners& listeners = testing::UnitTest::GetInstance()->listeners();
-    delete listeners.Release(listeners.default_result_printer());
-    listeners.Append(new FailurePrinter);
-  }
-  const bool passed = everywhere(RUN_ALL_TESTS() == 0);
-  vtkMultiProcessController::SetGlobalController(nullptr);
-  world->Finalize();
-  return passed ? 0 : 1;
+  return runRankedTests(argc, argv);
 }
