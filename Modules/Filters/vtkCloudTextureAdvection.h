@@ -24,7 +24,7 @@
  * Method   trajectories: Trajectory.h; vertical motion through terrain-following or moving levels: motionThroughLevels.
  *          A texture's state at a file time depends on its start and the file alone, so the same time gives the same bits,
  *          whatever was asked for before.
- * Errors   no Wind or Height, a grid whose lines do not run along meridians and parallels (or x and y), times that do not rise, a time
+ * Errors   of several processes those of one are those of all. An input that fails, no Wind or Height, a grid whose lines do not run along meridians and parallels (or x and y), times that do not rise, a time
  *          outside the range: vtkErrorMacro, return 0. Without time steps the coordinates are the places.
  * Cost     per interval one trajectory a point, shared by textures that do not start in it: 8 (linear) or 64 (cubic) weighted reads a
  *          stage and substep; rows of levels have as many substeps as their wind needs (nephoscope::substepsOfRows). On
@@ -36,7 +36,8 @@
  *          them, wind, heights, motion through the levels and displacements of the columns about its block, as far as the strongest wind
  *          carries air in the interval. The strongest wind and strain of each row, the strain for RestartPeriod and the
  *          statistics of the stretch are those of the whole. Coordinates are the bits of one process. All processes have to update,
- *          with the same settings and times; errors and aborts are those of all. Other pieces, and inputs that do not give pieces:
+ *          with the same settings and times; an abort of one is one of all. An input that cannot even tell its times and extent in one
+ *          process ends the update there, and the others wait. Other pieces, and inputs that do not give pieces:
  *          each asks for the whole extent and gives its block.
  * Limits   NaN winds are calm. Air that comes from beyond the edge of a regional grid has the edge's
  *          coordinates.

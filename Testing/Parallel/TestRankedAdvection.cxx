@@ -228,6 +228,7 @@ TEST(RankedAdvection, FilesOfAModel)
       readers[n]->SetFileName(NEPHOSCOPE_SOURCE_DIR "/Data/sample_climate.nc");
       readers[n]->SetGeometry(geometry);
       filters[n]->SetInputConnection(readers[n]->GetOutputPort());
+      filters[n]->SetTolerance(1e5); // few substeps
     }
     filters[1]->SetController(nullptr);
     readers[0]->UpdateInformation();
