@@ -290,6 +290,10 @@ int vtkCloudNetCDFReader::RequestInformation(
 {
   Internals& own = *this->Internal;
   own.Clear();
+  // Pieces are the reader's own blocks: the pipeline's would divide the levels too, and end at the seam. Said before anything
+  // fails, as otherwise the pipeline makes empty pieces, without an error, for all processes but the first.
+  vtkInformation* const output = outputs->GetInformationObject(0);
+  output->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
   if (!this->FileName || !this->FileName[0])
   {
     vtkErrorMacro("no file: SetFileName is needed");
@@ -312,12 +316,9 @@ int vtkCloudNetCDFReader::RequestInformation(
     vtkErrorMacro("" << this->FileName << ": " << error.what());
     return 0;
   }
-  vtkInformation* output = outputs->GetInformationObject(0);
   const int whole[6] = { 0, own.Dimensions[0] - 1, 0, own.Dimensions[1] - 1, 0,
     own.Dimensions[2] - 1 };
   output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole, 6);
-  // Pieces are the reader's own blocks: the pipeline's would divide the levels too, and end at the seam.
-  output->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
   const std::vector<double>& times = own.File->Times;
   if (times.empty())
   {

@@ -235,6 +235,9 @@ int vtkCloudVDBReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   this->Loaded.reset();
+  vtkInformation* const output = outputs->GetInformationObject(0);
+  // Said before anything fails, as otherwise only the process of the first piece has an error.
+  output->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
   if (!this->FileName || !*this->FileName)
   {
     vtkErrorMacro("There is no name of a file to read; set FileName.");
@@ -247,13 +250,9 @@ int vtkCloudVDBReader::RequestInformation(
     {
       return 0;
     }
-    outputs->GetInformationObject(0)->Set(
-      vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-    outputs->GetInformationObject(0)->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
-  }
-  else
-  {
-    outputs->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+    output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+    output->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+    output->Remove(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST()); // the pipeline makes blocks
   }
   return 1;
 }

@@ -93,6 +93,14 @@ class Ranks(plugin.PluginTest):
         picture.UpdatePipeline()
         self.check_picture("voxels", picture)
 
+    def test_a_file_that_cannot_be_read_is_an_error_in_each_process(self):
+        file = pathlib.Path(plugin.FOLDER, f"broken{COMM.rank}.nc")
+        file.write_text("no NetCDF")
+        picture = simple.CloudPicture(Input=simple.CloudNetCDFReader(FileName=str(file)), Size=[16, 12])
+        picture.UpdatePipeline()
+        self.assertIn("cannot be opened as NetCDF", self.window.GetOutput())
+        self.listen()
+
     def test_texture_that_moves(self):
         reader = simple.CloudNetCDFReader(FileName=plugin.CLIMATE)
         reader.UpdatePipelineInformation()
