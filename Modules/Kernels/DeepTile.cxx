@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DeepTile.h"
 
+#include "PixelRuns.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -44,9 +46,7 @@ double shareBefore(const MediumPiece& piece, double x)
 /// Where a piece has let a part of its optical depth pass: x (1 + skew (x - 1)) = part.
 double distanceIn(const MediumPiece& piece, double part)
 {
-  const double b = 1 - piece.skew;
-  const double root = b + std::sqrt(b * b + 4 * piece.skew * part);
-  return piece.nearEnd + piece.length * (root > 0 ? std::min(2 * part / root, 1.0) : 0);
+  return piece.nearEnd + piece.length * placeOf(part, piece.skew);
 }
 
 /// The optical depth of pieces up to a distance.
@@ -104,6 +104,15 @@ double distanceOf(MediumPiece* first, MediumPiece* last, double near, double far
     (depthBefore(first, last, middle) < sum ? near : far) = middle;
   }
   return far;
+}
+
+/// A run with one more segment; an end that is not a number does not count.
+void extend(PixelRun& run, double near, double length)
+{
+  constexpr double Slack = 1e-7;
+  const double slack = length < Infinity ? Slack * length : 0;
+  run.nearEnd = std::min(run.nearEnd, near + slack);
+  run.farEnd = std::max(run.farEnd, near + length - slack);
 }
 
 Segment segmentOf(const MediumPiece& piece, const RGB& source)
@@ -295,9 +304,9 @@ PixelLight DeepTile::compositeAny(
   return nephoscope::composite(this->Pixel);
 }
 
-void DeepTile::composite(std::vector<PixelLight>& light)
+/// Stable, so that the order of arrival decides between equal distances.
+void DeepTile::sortByPixels()
 {
-  // Stable, so that the order of arrival decides between equal distances.
   const std::size_t pixels = this->OpaqueAt.size();
   sortByPixel(
     this->Segments, this->Segments.size(), pixels,
@@ -306,15 +315,26 @@ void DeepTile::composite(std::vector<PixelLight>& light)
     this->Pieces, this->NumberOfPieces, pixels,
     [this](std::size_t i) { return this->Pieces[i].pixelAndSource & PixelMask; },
     this->SortedPieces, this->PieceStarts);
+}
+
+/// After sortByPixels.
+DeepTile::Contents DeepTile::sorted(std::size_t pixel)
+{
+  Segment* const segments = this->Sorted.data();
+  MediumPiece* const pieces = this->SortedPieces.data();
+  return { segments + (pixel > 0 ? this->Starts[pixel - 1] : 0), segments + this->Starts[pixel],
+    pieces + (pixel > 0 ? this->PieceStarts[pixel - 1] : 0), pieces + this->PieceStarts[pixel] };
+}
+
+void DeepTile::composite(std::vector<PixelLight>& light)
+{
+  this->sortByPixels();
+  const std::size_t pixels = this->OpaqueAt.size();
   light.resize(pixels);
-  std::size_t begin = 0;
-  std::size_t first = 0;
   for (std::size_t p = 0; p < pixels; ++p)
   {
-    const std::size_t end = this->Starts[p];
-    const std::size_t last = this->PieceStarts[p];
-    light[p] = this->compositeAny(this->Sorted.data() + begin, this->Sorted.data() + end,
-      this->SortedPieces.data() + first, this->SortedPieces.data() + last);
+    const Contents here = this->sorted(p);
+    light[p] = this->compositeAny(here.begin, here.end, here.first, here.last);
     if (this->Summing)
     {
       const auto width = static_cast<std::size_t>(this->Extent.width);
@@ -324,8 +344,30 @@ void DeepTile::composite(std::vector<PixelLight>& light)
     {
       light[p].depth = Infinity;
     }
-    begin = end;
-    first = last;
+  }
+}
+
+void DeepTile::runs(std::vector<PixelRun>& runs)
+{
+  this->sortByPixels();
+  for (std::size_t p = 0; p < this->OpaqueAt.size(); ++p)
+  {
+    const Contents here = this->sorted(p);
+    if (here.begin == here.end && here.first == here.last)
+    {
+      continue;
+    }
+    PixelRun run{ Infinity, -Infinity, {}, static_cast<std::uint32_t>(p) };
+    for (const Segment* s = here.begin; s != here.end; ++s)
+    {
+      extend(run, s->nearEnd, s->farEnd - s->nearEnd);
+    }
+    for (const MediumPiece* piece = here.first; piece != here.last; ++piece)
+    {
+      extend(run, piece->nearEnd, piece->length);
+    }
+    run.light = this->compositeAny(here.begin, here.end, here.first, here.last);
+    runs.push_back(run);
   }
 }
 }

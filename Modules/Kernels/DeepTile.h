@@ -14,6 +14,9 @@
 
 namespace nephoscope
 {
+struct PixelRequest;
+struct PixelRun;
+
 /// A rectangle of pixels of the image, [x0, x0 + width) x [y0, y0 + height).
 struct TileExtent
 {
@@ -137,9 +140,17 @@ public:
   /// Append what was added, kept or summed, as bytes for a tile of the same extent in another process of the same machine type;
   /// nothing is appended if nothing was added.
   void pack(std::vector<char>& bytes) const;
-  /// Add what a tile packed. Sums are of one source in all tiles that are put together, and what else is there is opaque and
-  /// was known to the tiles that summed.
-  void addPacked(const std::vector<char>& bytes);
+  /// Add what a tile packed, of the pixels that are wanted; of all if `wanted` is empty. Sums are of one source in all tiles that are put
+  /// together, and what else is there is opaque and was known to the tiles that summed.
+  void addPacked(const char* bytes, std::size_t size, const std::vector<bool>& wanted = {});
+
+  /// Append the run of each pixel to which anything was added, not summed. Its ends are drawn in by 1e-7 of the segment that ends there, so
+  /// that segments that meet do not overlap by rounding.
+  void runs(std::vector<PixelRun>& runs);
+  /// What was asked about the runs of what a tile packed, worked out in this empty one: in the order of the requests a depth for each that is
+  /// not for the whole; of the others what addPacked takes.
+  void answer(const char* bytes, std::size_t size, const std::vector<PixelRequest>& requests,
+    std::vector<double>& depths, std::vector<char>& packed);
 
   /// Those that were added, kept or summed.
   std::size_t numberOfSegments() const
@@ -160,7 +171,19 @@ private:
   static constexpr int PixelBits = 20;
   static constexpr std::uint32_t PixelMask = (1U << PixelBits) - 1;
 
+  /// What was added to one pixel.
+  struct Contents
+  {
+    Segment* begin;
+    Segment* end;
+    MediumPiece* first;
+    MediumPiece* last;
+  };
+
+  void sortByPixels();
+  Contents sorted(std::size_t pixel);
   void beginSum(std::uint32_t source);
+  void addSums(const char* bytes, std::size_t summed, std::uint32_t source);
   PixelLight compositeAny(Segment* begin, Segment* end, MediumPiece* first, MediumPiece* last);
   PixelLight compositeLayers(Segment* begin, Segment* end, MediumPiece* first, MediumPiece* last);
   void putBehindSum(PixelLight& light, double opticalDepth) const;

@@ -12,6 +12,13 @@ double transmittedMean(double x)
   return x > 1e-5 ? -std::expm1(-x) / x : 1 - x * (0.5 - x / 6);
 }
 
+double placeOf(double part, double skew)
+{
+  const double b = 1 - skew;
+  const double root = b + std::sqrt(b * b + 4 * skew * part);
+  return root > 0 ? std::min(2 * part / root, 1.0) : 0;
+}
+
 namespace
 {
 bool usable(const Segment& s)
@@ -32,7 +39,7 @@ struct Accumulator
   double mean() const { return (transmittance[0] + transmittance[1] + transmittance[2]) / 3; }
   bool done() const { return transmittance[0] + transmittance[1] + transmittance[2] == 0; }
 
-  void add(double near, double far, const double (&tau)[3], const double (&light)[3])
+  void add(double near, double far, double skew, const double (&tau)[3], const double (&light)[3])
   {
     const double before = this->mean();
     const double red = std::exp(-tau[0]);
@@ -43,18 +50,20 @@ struct Accumulator
     }
     if (before > 0.5 && this->mean() <= 0.5)
     {
-      // exp(-tau_mean x) = 1 / (2 before) within a uniform stretch; at once where it is opaque.
+      // exp(-part tau_mean) = 1 / (2 before); at once where it is opaque.
       const double needed = std::log(2 * before);
       const double have = this->mean() > 0 ? std::log(before) - std::log(this->mean())
                                            : std::min({ tau[0], tau[1], tau[2] });
-      this->depth = near + (std::isfinite(have) && have > 0 ? needed / have : 0) * (far - near);
+      const double part = std::isfinite(have) && have > 0 ? needed / have : 0;
+      this->depth = near + placeOf(part, skew) * (far - near);
     }
   }
 };
 
 void addWhole(Accumulator& light, const Segment& s)
 {
-  light.add(s.nearEnd, s.farEnd, { s.opticalDepth[0], s.opticalDepth[1], s.opticalDepth[2] },
+  light.add(s.nearEnd, s.farEnd, s.skew,
+    { s.opticalDepth[0], s.opticalDepth[1], s.opticalDepth[2] },
     { s.radiance[0], s.radiance[1], s.radiance[2] });
 }
 
@@ -76,13 +85,16 @@ void addMixture(Accumulator& light, Iterator begin, Iterator end, double near, d
 {
   double tau[3] = { 0, 0, 0 };
   double emitted[3] = { 0, 0, 0 };
+  double rise = 0; // of the extinction along the stretch, as skew is, times the optical depth
   for (Iterator s = begin; s != end; ++s)
   {
     const double part = share(**s, near, far);
+    const double piece = (far - near) / ((*s)->farEnd - (*s)->nearEnd);
     for (int c = 0; c < 3; ++c)
     {
       const double whole = std::min<double>((*s)->opticalDepth[c], Densest);
       tau[c] += whole * part;
+      rise += whole * piece * piece * (*s)->skew;
       emitted[c] += (*s)->radiance[c] * part / transmittedMean(whole);
     }
   }
@@ -90,7 +102,8 @@ void addMixture(Accumulator& light, Iterator begin, Iterator end, double near, d
   {
     emitted[c] *= transmittedMean(tau[c]);
   }
-  light.add(near, far, tau, emitted);
+  const double depth = tau[0] + tau[1] + tau[2];
+  light.add(near, far, depth > 0 ? rise / depth : 0, tau, emitted);
 }
 
 /// The segments that cover the present stretch; on the stack up to 64.

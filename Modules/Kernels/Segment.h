@@ -51,7 +51,7 @@ constexpr float Opaque =
  * single segment changes nothing; transmittances are exact, radiances are where the shares of the mixture are constant. Segments whose ends or optical depths are NaN, that end behind the eye
  * or are turned around (farEnd < nearEnd) are dropped; a part behind the eye (distance < 0) is cut off.
  *
- * Depth is interpolated within its segment by the uniform law.
+ * Depth is interpolated within its segment after its linear extinction.
  *
  * @param segments all segments of the pixel, any order; sorted on return
  * @return the light that they add and let through; without segments nothing added and all let through
@@ -59,6 +59,9 @@ constexpr float Opaque =
  */
 PixelLight composite(std::vector<Segment>& segments);
 PixelLight composite(Segment* begin, Segment* end); ///< the same on a range
+
+/// Where a segment's linear extinction has let a part of its optical depth pass: x (1 + skew (x - 1)) = part, all from 0 to 1.
+double placeOf(double part, double skew);
 
 /// (1 - exp(-x)) / x for x >= 0, by series where that cancels; 1 at 0, 0 at infinity.
 double transmittedMean(double x);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RankedTiles.h"
 
-#include "RankExchange.h"
+#include "PixelRuns.h"
+#include "TileExchange.h"
 #include "vtkCloudBody.h"
 #include "vtkCloudscape.h"
 #include "vtkCommunicator.h"
@@ -11,211 +12,427 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstring>
 
 namespace
 {
-constexpr vtkIdType TilesOfARank = 8; // in a round
+using nephoscope::DeepTile;
+using nephoscope::PixelLight;
+using nephoscope::PixelRequest;
+using nephoscope::PixelRun;
+using nephoscope::PixelRuns;
+using Packet = TileExchange::Packet;
+using Received = TileExchange::Received;
 
-using Packet = std::vector<char>;
+constexpr vtkIdType TilesOfARank = 16; // in a round
+constexpr int Tag = 7406;
 
-/// Append the packet's length and the packet.
-void append(Packet& message, const Packet& packet)
+template <class T>
+Packet packetOf(const std::vector<T>& items)
 {
-  const std::uint64_t size = packet.size();
-  const auto* const bytes = reinterpret_cast<const char*>(&size);
-  message.insert(message.end(), bytes, bytes + sizeof size);
-  message.insert(message.end(), packet.begin(), packet.end());
+  const auto* const bytes = reinterpret_cast<const char*>(items.data());
+  return { bytes, bytes + items.size() * sizeof(T) };
 }
 
-/// Take the next packet off a message.
-Packet next(const Packet& message, std::size_t& at)
+template <class T>
+std::vector<T> itemsOf(const Received& packet)
 {
-  std::uint64_t size = 0;
-  std::memcpy(&size, message.data() + at, sizeof size);
-  const auto first = message.begin() + static_cast<std::ptrdiff_t>(at + sizeof size);
-  at += sizeof size + size;
-  return { first, first + static_cast<std::ptrdiff_t>(size) };
+  std::vector<T> items(packet.Size / sizeof(T));
+  std::memcpy(items.data(), packet.Data, items.size() * sizeof(T));
+  return items;
 }
 
-class Round
+/// A rank's work with one tile.
+struct RankWork : TileWork
+{
+  std::vector<PixelRun> Runs;
+  PixelRuns Merger;
+};
+
+/// A tile that is this rank's to finish.
+struct OwnTile
+{
+  std::vector<PixelLight> Light;
+  Packet Opaque;                                   ///< of bodies that are the same everywhere
+  Packet Translucent;                              ///< the same
+  std::vector<std::vector<PixelRequest>> Requests; ///< to each rank, to Opaque, to Translucent
+};
+
+Received spanOf(const Packet& packet)
+{
+  return { packet.data(), packet.size() };
+}
+
+/// An answer from what was packed; the tile is empty.
+Packet answerOf(const Packet& segments, const std::vector<PixelRequest>& requests, DeepTile& tile)
+{
+  std::vector<double> depths;
+  Packet packed;
+  tile.answer(segments.data(), segments.size(), requests, depths, packed);
+  Packet answer = packetOf(depths);
+  answer.insert(answer.end(), packed.begin(), packed.end());
+  return answer;
+}
+
+/// Put the depths that were asked for into their pixels, the segments into a tile.
+void takeAnswer(const std::vector<PixelRequest>& requests, const Received& answer,
+  std::vector<PixelLight>& light, DeepTile& tile)
+{
+  const char* next = answer.Data;
+  for (const PixelRequest& request : requests)
+  {
+    if (request.whole == 0)
+    {
+      double depth = 0;
+      std::memcpy(&depth, next, sizeof depth);
+      next += sizeof depth;
+      light[request.pixel].depth = std::isfinite(depth) ? depth : light[request.pixel].depth;
+    }
+  }
+  tile.addPacked(next, static_cast<std::size_t>(answer.Data + answer.Size - next));
+}
+
+class RankedPicture
 {
 public:
-  Round(vtkMultiProcessController* controller, const TileScene& scene, bool sums)
+  RankedPicture(vtkMultiProcessController* controller, const TileScene& scene, bool sums)
     : Controller(controller)
     , Scene(scene)
     , Sums(sums)
     , Drawer(scene)
-    , Ranks(controller->GetNumberOfProcesses())
-    , Rank(controller->GetLocalProcessId())
+    , Tiles(controller, this->Drawer.GetNumberOfTiles(), TilesOfARank)
+    , Whole(sums)
   {
   }
 
-  vtkIdType GetTilesOfARound() const { return TilesOfARank * this->Ranks; }
+  vtkIdType GetTilesOfARound() const { return this->Tiles.GetTilesOfARound(); }
   vtkIdType GetNumberOfTiles() const { return this->Drawer.GetNumberOfTiles(); }
-  vtkIdType GetNumberOfSegments() const { return this->Segments; }
-
-  void Draw(vtkIdType first, TilePicture* picture)
-  {
-    this->First = first;
-    this->Count = std::min(this->GetTilesOfARound(), this->GetNumberOfTiles() - first);
-    std::vector<Packet> outgoing = this->PackAll();
-    const std::vector<Packet> incoming = exchange(this->Controller, outgoing);
-    this->Unpack(incoming);
-    Packet finished = this->FinishAll();
-    this->Gather(finished, picture);
-  }
+  RankedFigures GetFigures() const;
+  bool StartRound(vtkIdType first, bool abort);
+  void DrawRound();
+  void Gather(TilePicture* picture);
 
 private:
-  /// Tiles of the round that belong to a rank: the n-th is First + start + n * Ranks.
-  vtkIdType Start(int rank) const
+  template <class Work>
+  void ForEach(vtkIdType count, Work&& work)
   {
-    return (rank - this->First % this->Ranks + this->Ranks) % this->Ranks;
-  }
-  vtkIdType CountOf(int rank) const
-  {
-    return std::max<vtkIdType>(
-      (this->Count - this->Start(rank) + this->Ranks - 1) / this->Ranks, 0);
-  }
-  vtkIdType TileOf(int rank, vtkIdType n) const
-  {
-    return this->First + this->Start(rank) + n * this->Ranks;
-  }
-
-  void Emit(nephoscope::DeepTile& tile, bool pieces, bool opaque) const
-  {
-    for (const vtkCloudBody* body : this->Scene.Bodies)
-    {
-      if (body->DrawsPieces() == pieces && body->IsOpaque() == opaque)
-      {
-        body->Emit(this->Scene.Camera, tile);
-      }
-    }
-  }
-
-  /// This rank's segments of a tile.
-  void Pack(vtkIdType tile, TileWork& work, Packet& packet)
-  {
-    this->Drawer.Start(tile, work);
-    this->Emit(work.Tile, false, true);
-    work.Tile.keepLimitsOnly();
-    this->Emit(work.Tile, true, true);
-    if (this->Sums)
-    {
-      work.Tile.setLast();
-    }
-    this->Emit(work.Tile, true, false);
-    this->Segments += static_cast<vtkIdType>(work.Tile.numberOfSegments());
-    work.Tile.pack(packet);
-  }
-
-  /// For each rank the packets of its tiles.
-  std::vector<Packet> PackAll()
-  {
-    std::vector<Packet> packets(static_cast<std::size_t>(this->Count));
-    vtkSMPTools::For(0, this->Count, 1,
-      [this, &packets](vtkIdType begin, vtkIdType end)
+    vtkSMPTools::For(0, count, 1,
+      [this, &work](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType n = begin; n < end; ++n)
         {
-          this->Pack(this->First + n, this->Works.Local(), packets[n]);
+          work(n, this->Works.Local());
         }
       });
-    std::vector<Packet> outgoing(static_cast<std::size_t>(this->Ranks));
-    for (int rank = 0; rank < this->Ranks; ++rank)
-    {
-      for (vtkIdType n = this->Start(rank); n < this->Count; n += this->Ranks)
-      {
-        append(outgoing[rank], packets[n]);
-        packets[n] = {};
-      }
-    }
-    return outgoing;
   }
 
-  /// The packets of this rank's tiles, those of a tile in the order of ranks.
-  void Unpack(const std::vector<Packet>& incoming)
-  {
-    this->Packets.assign(static_cast<std::size_t>(this->CountOf(this->Rank)), {});
-    for (const Packet& message : incoming)
-    {
-      std::size_t at = 0;
-      for (std::vector<Packet>& tile : this->Packets)
-      {
-        tile.push_back(next(message, at));
-      }
-    }
-  }
-
-  /// The pixels of this rank's tiles, one tile after the other.
-  Packet FinishAll()
-  {
-    std::vector<std::vector<float>> pixels(this->Packets.size());
-    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Packets.size()), 1,
-      [this, &pixels](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType n = begin; n < end; ++n)
-        {
-          this->Finish(n, this->Works.Local());
-          pixels[n] = this->Works.Local().Pixels;
-        }
-      });
-    Packet all;
-    for (const std::vector<float>& values : pixels)
-    {
-      const auto* const bytes = reinterpret_cast<const char*>(values.data());
-      all.insert(all.end(), bytes, bytes + values.size() * sizeof(float));
-    }
-    return all;
-  }
-
-  void Finish(vtkIdType n, TileWork& work)
-  {
-    const vtkIdType tile = this->TileOf(this->Rank, n);
-    this->Drawer.Start(tile, work);
-    this->Emit(work.Tile, false, true);
-    for (Packet& packet : this->Packets[n])
-    {
-      work.Tile.addPacked(packet);
-      packet = {};
-    }
-    this->Emit(work.Tile, false, false);
-    this->Drawer.Finish(tile, work);
-  }
-
-  /// Finished pixels go to rank 0.
-  void Gather(Packet& finished, TilePicture* picture)
-  {
-    std::vector<Packet> outgoing(static_cast<std::size_t>(this->Ranks));
-    outgoing[0].swap(finished);
-    const std::vector<Packet> incoming = exchange(this->Controller, outgoing);
-    for (int rank = 0; picture && rank < this->Ranks; ++rank)
-    {
-      std::size_t at = 0;
-      for (vtkIdType n = 0; n < this->CountOf(rank); ++n)
-      {
-        const nephoscope::TileExtent tile = this->Drawer.GetPixels(this->TileOf(rank, n));
-        std::vector<float> pixels(
-          static_cast<std::size_t>(TileDrawer::ValuesOfPixel) * tile.width * tile.height);
-        std::memcpy(pixels.data(), incoming[rank].data() + at, pixels.size() * sizeof(float));
-        at += pixels.size() * sizeof(float);
-        picture->Place(tile, pixels.data());
-      }
-    }
-  }
+  void Emit(DeepTile& tile, bool pieces, bool opaque) const;
+  void DrawPieces(vtkIdType tile, TileWork& work);
+  std::vector<Packet> DrawAndPack();
+  std::vector<Packet> DrawRuns();
+  void Keep(vtkIdType n, RankWork& work, Packet& packet);
+  std::vector<Packet> Answer(const std::vector<Received>& requests);
+  void Merge(vtkIdType n, RankWork& work, const std::vector<Received>& runs);
+  void AddRuns(std::uint32_t part, RankWork& work);
+  Packet DrawShared(bool opaque, std::uint32_t part, RankWork& work);
+  Packet AnswerShared(vtkIdType tile, const Packet& segments,
+    const std::vector<PixelRequest>& requests, RankWork& work) const;
+  std::vector<std::vector<Packet>> PackRequests() const;
+  void Complete(vtkIdType n, RankWork& work, const std::vector<Received>& answers);
+  void FinishWhole(vtkIdType n, TileWork& work, const std::vector<Received>& packets);
 
   vtkMultiProcessController* Controller;
   const TileScene& Scene;
   bool Sums;
   TileDrawer Drawer;
-  int Ranks;
-  int Rank;
-  vtkIdType First = 0;
-  vtkIdType Count = 0;
-  std::vector<std::vector<Packet>> Packets; ///< of each of this rank's tiles, from each rank
+  TileExchange Tiles;
+  bool Whole;               ///< whether all segments are sent, or sums, not runs
+  std::vector<Packet> Kept; ///< this rank's segments in each tile of the round
+  std::vector<OwnTile> Own;
+  std::vector<std::vector<float>> Finished; ///< this rank's pixels, tile by tile
   std::atomic<vtkIdType> Segments{ 0 };
-  vtkSMPThreadLocal<TileWork> Works;
+  std::atomic<vtkIdType> Runs{ 0 };        ///< that came in the last round
+  std::atomic<vtkIdType> Overlapping{ 0 }; ///< runs of them for which all segments were asked
+  vtkSMPThreadLocal<RankWork> Works;
 };
+
+/// False if it was aborted somewhere. Most runs overlap where a medium is everywhere: then all segments are sent at once.
+bool RankedPicture::StartRound(vtkIdType first, bool abort)
+{
+  const vtkIdType own[3] = { abort ? 1 : 0, this->Runs, this->Overlapping };
+  vtkIdType all[3];
+  this->Controller->AllReduce(own, all, 3, vtkCommunicator::SUM_OP);
+  this->Whole = this->Whole || 2 * all[2] > all[1];
+  this->Runs = 0;
+  this->Overlapping = 0;
+  this->Tiles.SetRound(first);
+  return all[0] == 0;
+}
+
+void RankedPicture::DrawRound()
+{
+  const auto finished = static_cast<vtkIdType>(this->Finished.size());
+  this->Finished.resize(static_cast<std::size_t>(finished + this->Tiles.GetOwnCount()));
+  const auto place = [this, finished](vtkIdType n, TileWork& work)
+  { this->Finished[finished + n] = work.Pixels; };
+  if (this->Whole)
+  {
+    std::vector<Packet> packets = this->DrawAndPack();
+    const auto received = this->Tiles.ToOwners(packets);
+    this->ForEach(this->Tiles.GetOwnCount(),
+      [this, &received, &place](vtkIdType n, RankWork& work)
+      {
+        this->FinishWhole(n, work, received[n]);
+        place(n, work);
+      });
+    return;
+  }
+  std::vector<Packet> runs = this->DrawRuns();
+  const auto received = this->Tiles.ToOwners(runs);
+  this->Own.resize(static_cast<std::size_t>(this->Tiles.GetOwnCount()));
+  this->ForEach(this->Tiles.GetOwnCount(),
+    [this, &received](vtkIdType n, RankWork& work) { this->Merge(n, work, received[n]); });
+  std::vector<std::vector<Packet>> requests = this->PackRequests();
+  std::vector<Packet> replies = this->Answer(this->Tiles.FromOwners(requests));
+  const auto answers = this->Tiles.ToOwners(replies);
+  this->ForEach(this->Tiles.GetOwnCount(),
+    [this, &answers, &place](vtkIdType n, RankWork& work)
+    {
+      this->Complete(n, work, answers[n]);
+      place(n, work);
+    });
+}
+
+void RankedPicture::Emit(DeepTile& tile, bool pieces, bool opaque) const
+{
+  for (const vtkCloudBody* body : this->Scene.Bodies)
+  {
+    if (body->DrawsPieces() == pieces && body->IsOpaque() == opaque)
+    {
+      body->Emit(this->Scene.Camera, tile);
+    }
+  }
+}
+
+/// This rank's segments of a tile.
+void RankedPicture::DrawPieces(vtkIdType tile, TileWork& work)
+{
+  this->Drawer.Start(tile, work);
+  this->Emit(work.Tile, false, true);
+  work.Tile.keepLimitsOnly();
+  this->Emit(work.Tile, true, true);
+  if (this->Sums)
+  {
+    work.Tile.setLast();
+  }
+  this->Emit(work.Tile, true, false);
+  this->Segments += static_cast<vtkIdType>(work.Tile.numberOfSegments());
+}
+
+std::vector<Packet> RankedPicture::DrawAndPack()
+{
+  std::vector<Packet> packets(static_cast<std::size_t>(this->Tiles.GetCount()));
+  this->ForEach(this->Tiles.GetCount(),
+    [this, &packets](vtkIdType n, RankWork& work)
+    {
+      this->DrawPieces(this->Tiles.GetTile(n), work);
+      work.Tile.pack(packets[n]);
+    });
+  return packets;
+}
+
+std::vector<Packet> RankedPicture::DrawRuns()
+{
+  std::vector<Packet> packets(static_cast<std::size_t>(this->Tiles.GetCount()));
+  this->Kept.resize(std::max(this->Kept.size(), packets.size()));
+  this->ForEach(this->Tiles.GetCount(),
+    [this, &packets](vtkIdType n, RankWork& work)
+    {
+      this->DrawPieces(this->Tiles.GetTile(n), work);
+      this->Keep(n, work, packets[n]);
+    });
+  return packets;
+}
+
+/// Make runs of a tile's segments and keep them.
+void RankedPicture::Keep(vtkIdType n, RankWork& work, Packet& packet)
+{
+  this->Kept[n].clear();
+  if (work.Tile.numberOfSegments() > 0)
+  {
+    work.Runs.clear();
+    work.Tile.runs(work.Runs);
+    packet = packetOf(work.Runs);
+    work.Tile.pack(this->Kept[n]);
+  }
+}
+
+std::vector<Packet> RankedPicture::Answer(const std::vector<Received>& requests)
+{
+  std::vector<Packet> packets(requests.size());
+  this->ForEach(static_cast<vtkIdType>(requests.size()),
+    [this, &requests, &packets](vtkIdType n, RankWork& work)
+    {
+      if (requests[n].Size > 0)
+      {
+        this->Drawer.Start(this->Tiles.GetTile(n), work);
+        packets[n] = answerOf(this->Kept[n], itemsOf<PixelRequest>(requests[n]), work.Tile);
+      }
+    });
+  return packets;
+}
+
+/// The runs of a tile of this rank, its own and the others', and what has to be asked about them.
+void RankedPicture::Merge(vtkIdType n, RankWork& work, const std::vector<Received>& runs)
+{
+  OwnTile& own = this->Own[n];
+  this->Drawer.Start(this->Tiles.GetOwnTile(n), work);
+  const nephoscope::TileExtent& extent = work.Tile.extent();
+  work.Merger.reset(static_cast<std::size_t>(extent.width) * extent.height);
+  const auto ranks = static_cast<std::uint32_t>(runs.size());
+  own.Opaque = this->DrawShared(true, ranks, work);
+  for (std::uint32_t part = 0; part < ranks; ++part)
+  {
+    work.Runs = itemsOf<PixelRun>(runs[part]);
+    this->AddRuns(part, work);
+    this->Runs += static_cast<vtkIdType>(work.Runs.size());
+  }
+  own.Translucent = this->DrawShared(false, ranks + 1, work);
+  own.Requests.assign(runs.size() + 2, {});
+  work.Merger.merge(this->Scene.DepthWanted, own.Light, own.Requests);
+  for (std::size_t rank = 0; rank < runs.size(); ++rank)
+  {
+    this->Overlapping += std::count_if(own.Requests[rank].begin(), own.Requests[rank].end(),
+      [](const PixelRequest& request) { return request.whole != 0; });
+  }
+}
+
+void RankedPicture::AddRuns(std::uint32_t part, RankWork& work)
+{
+  for (PixelRun& run : work.Runs)
+  {
+    run.part = part;
+    work.Merger.add(run);
+  }
+}
+
+/// The segments of bodies that are the same everywhere, a part of their own. Only the limits of what is opaque stay in the work's tile.
+Packet RankedPicture::DrawShared(bool opaque, std::uint32_t part, RankWork& work)
+{
+  this->Emit(work.Tile, false, opaque);
+  work.Runs.clear();
+  work.Tile.runs(work.Runs);
+  this->AddRuns(part, work);
+  Packet segments;
+  work.Tile.pack(segments);
+  work.Tile.keepLimitsOnly();
+  return segments;
+}
+
+std::vector<std::vector<Packet>> RankedPicture::PackRequests() const
+{
+  std::vector<std::vector<Packet>> packets;
+  for (const OwnTile& own : this->Own)
+  {
+    packets.emplace_back();
+    for (int rank = 0; rank < this->Tiles.GetRanks(); ++rank)
+    {
+      packets.back().push_back(packetOf(own.Requests[rank]));
+    }
+  }
+  return packets;
+}
+
+/// With the answers: depths, and pixels whose segments have to be mixed.
+void RankedPicture::Complete(vtkIdType n, RankWork& work, const std::vector<Received>& answers)
+{
+  OwnTile& own = this->Own[n];
+  const vtkIdType tile = this->Tiles.GetOwnTile(n);
+  const std::size_t ranks = answers.size();
+  const Packet opaque = this->AnswerShared(tile, own.Opaque, own.Requests[ranks], work);
+  const Packet translucent =
+    this->AnswerShared(tile, own.Translucent, own.Requests[ranks + 1], work);
+  this->Drawer.Start(tile, work);
+  takeAnswer(own.Requests[ranks], spanOf(opaque), own.Light, work.Tile);
+  for (std::size_t rank = 0; rank < ranks; ++rank)
+  {
+    takeAnswer(own.Requests[rank], answers[rank], own.Light, work.Tile);
+  }
+  takeAnswer(own.Requests[ranks + 1], spanOf(translucent), own.Light, work.Tile);
+  if (work.Tile.numberOfSegments() > 0)
+  {
+    work.Tile.composite(work.Light);
+    for (const std::vector<PixelRequest>& requests : own.Requests)
+    {
+      for (const PixelRequest& request : requests)
+      {
+        own.Light[request.pixel] =
+          request.whole != 0 ? work.Light[request.pixel] : own.Light[request.pixel];
+      }
+    }
+  }
+  work.Light.swap(own.Light);
+  this->Drawer.Write(tile, work);
+}
+
+Packet RankedPicture::AnswerShared(vtkIdType tile, const Packet& segments,
+  const std::vector<PixelRequest>& requests, RankWork& work) const
+{
+  if (requests.empty())
+  {
+    return {};
+  }
+  this->Drawer.Start(tile, work);
+  return answerOf(segments, requests, work.Tile);
+}
+
+void RankedPicture::FinishWhole(vtkIdType n, TileWork& work, const std::vector<Received>& packets)
+{
+  const vtkIdType tile = this->Tiles.GetOwnTile(n);
+  this->Drawer.Start(tile, work);
+  this->Emit(work.Tile, false, true);
+  for (const Received& packet : packets)
+  {
+    work.Tile.addPacked(packet.Data, packet.Size);
+  }
+  this->Emit(work.Tile, false, false);
+  this->Drawer.Finish(tile, work);
+}
+
+/// Finished pixels go to rank 0, tile by tile.
+void RankedPicture::Gather(TilePicture* picture)
+{
+  const int ranks = this->Controller->GetNumberOfProcesses();
+  const int rank = this->Controller->GetLocalProcessId();
+  for (vtkIdType turn = rank; !picture && turn < this->GetNumberOfTiles(); turn += ranks)
+  {
+    const std::vector<float>& pixels = this->Finished[turn / ranks];
+    this->Controller->Send(pixels.data(), static_cast<vtkIdType>(pixels.size()), 0, Tag);
+  }
+  std::vector<float> received;
+  for (vtkIdType turn = 0; picture && turn < this->GetNumberOfTiles(); ++turn)
+  {
+    const nephoscope::TileExtent extent = this->Drawer.GetPixels(this->Tiles.GetTileOfTurn(turn));
+    const auto owner = static_cast<int>(turn % ranks);
+    if (owner != rank)
+    {
+      received.resize(
+        static_cast<std::size_t>(TileDrawer::ValuesOfPixel) * extent.width * extent.height);
+      this->Controller->Receive(
+        received.data(), static_cast<vtkIdType>(received.size()), owner, Tag);
+    }
+    picture->Place(extent, owner == rank ? this->Finished[turn / ranks].data() : received.data());
+  }
+}
+
+RankedFigures RankedPicture::GetFigures() const
+{
+  const vtkIdType own[2] = { this->Segments, this->Tiles.GetBytesSent() };
+  vtkIdType all[2];
+  this->Controller->AllReduce(own, all, 2, vtkCommunicator::SUM_OP);
+  return { all[0], all[1] };
+}
 }
 
 bool sumsMayBeSent(const TileScene& scene)
@@ -231,23 +448,21 @@ bool sumsMayBeSent(const TileScene& scene)
 }
 
 bool drawRankedTiles(vtkCloudscape* scape, vtkMultiProcessController* controller,
-  const TileScene& scene, bool sums, TilePicture* picture, vtkIdType& segments)
+  const TileScene& scene, bool sums, TilePicture* picture, RankedFigures& figures)
 {
-  Round round(controller, scene, sums);
-  for (vtkIdType first = 0; first < round.GetNumberOfTiles(); first += round.GetTilesOfARound())
+  RankedPicture ranked(controller, scene, sums);
+  const vtkIdType tiles = ranked.GetNumberOfTiles();
+  for (vtkIdType first = 0; first < tiles; first += ranked.GetTilesOfARound())
   {
-    const int aborted = scape->GetAbortExecute() ? 1 : 0;
-    int abortedSomewhere = 0;
-    controller->AllReduce(&aborted, &abortedSomewhere, 1, vtkCommunicator::MAX_OP);
-    if (abortedSomewhere)
+    if (!ranked.StartRound(first, scape->GetAbortExecute() != 0))
     {
       return false;
     }
-    round.Draw(first, picture);
-    scape->UpdateProgress(std::min(
-      1.0, static_cast<double>(first + round.GetTilesOfARound()) / round.GetNumberOfTiles()));
+    ranked.DrawRound();
+    scape->UpdateProgress(
+      std::min(1.0, static_cast<double>(first + ranked.GetTilesOfARound()) / tiles));
   }
-  const vtkIdType own = round.GetNumberOfSegments();
-  controller->AllReduce(&own, &segments, 1, vtkCommunicator::SUM_OP);
+  ranked.Gather(picture);
+  figures = ranked.GetFigures();
   return true;
 }

@@ -47,8 +47,13 @@ void TileDrawer::Start(vtkIdType tile, TileWork& work) const
 
 void TileDrawer::Finish(vtkIdType tile, TileWork& work) const
 {
-  const nephoscope::TileExtent pixels = this->GetPixels(tile);
   work.Tile.composite(work.Light);
+  this->Write(tile, work);
+}
+
+void TileDrawer::Write(vtkIdType tile, TileWork& work) const
+{
+  const nephoscope::TileExtent pixels = this->GetPixels(tile);
   work.Depths.resize(static_cast<std::size_t>(this->Scene.Samples) * this->Scene.Samples);
   work.Pixels.resize(static_cast<std::size_t>(ValuesOfPixel) * pixels.width * pixels.height);
   float* values = work.Pixels.data();

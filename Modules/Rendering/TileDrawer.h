@@ -58,6 +58,8 @@ public:
   void Start(vtkIdType tile, TileWork& work) const;
   /// Composite it; the backdrop is put behind. Fills the work's Pixels.
   void Finish(vtkIdType tile, TileWork& work) const;
+  /// The same of Light that is there already.
+  void Write(vtkIdType tile, TileWork& work) const;
 
 private:
   void WritePixel(

@@ -328,9 +328,13 @@ bool vtkCloudscape::DrawAll(const TileScene& scene, bool sums, vtkImageData* ima
   }
   if (this->IsOfSeveralRanks())
   {
-    return drawRankedTiles(
-      this, this->Controller, scene, sums, picture.get(), this->NumberOfSegments);
+    RankedFigures figures;
+    const bool drawn = drawRankedTiles(this, this->Controller, scene, sums, picture.get(), figures);
+    this->NumberOfSegments = figures.Segments;
+    this->BytesSent = figures.BytesSent;
+    return drawn;
   }
+  this->BytesSent = 0;
   this->NumberOfSegments = drawTiles(this, scene, *picture);
   return !this->GetAbortExecute();
 }
@@ -348,4 +352,5 @@ void vtkCloudscape::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Backdrop: " << this->Backdrop.Get() << '\n';
   os << indent << "Bodies: " << this->Bodies.size() << '\n';
   os << indent << "NumberOfSegments: " << this->NumberOfSegments << '\n';
+  os << indent << "BytesSent: " << this->BytesSent << '\n';
 }

@@ -12,8 +12,8 @@
  *
  * With a controller of several processes the picture is theirs together: of the bodies that draw pieces (vtkCloudBody::DrawsPieces;
  * cells and surfaces) each process updates its own piece, as given by UpdatePiece, and draws that; the others are the same in all
- * processes. The segments of each deep pixel come together in one process, are sorted and composited as those of one process are
- * (RankedTiles.h): no order of pieces is needed, and they may interlock. Update is then to be called by all, with the same scene; the
+ * processes. In each deep pixel what the pieces amount to, or where they interlock their segments, comes together in one process and is
+ * composited as one process's is (RankedTiles.h): no order of pieces is needed, and they may interlock. Update is then to be called by all, with the same scene; the
  * picture is the output of process 0, the others' is empty. A piece may be empty. Data that are given to a body directly, without
  * a pipeline, are the process's own piece.
  *
@@ -124,8 +124,10 @@ public:
   ///@}
 
   ///@{
-  /// Figures of the last run: segments composited; seconds that the bodies' pipelines, their preparation and the tiles took.
+  /// Figures of the last run: segments composited; bytes that processes sent one another to put them together; seconds that the bodies'
+  /// pipelines, their preparation and the tiles took.
   vtkGetMacro(NumberOfSegments, vtkIdType);
+  vtkGetMacro(BytesSent, vtkIdType);
   vtkGetMacro(PipelineSeconds, double);
   vtkGetMacro(PrepareSeconds, double);
   vtkGetMacro(TileSeconds, double);
@@ -168,6 +170,7 @@ private:
   int Samples = 1;
   bool ComputeDepth = true;
   vtkIdType NumberOfSegments = 0;
+  vtkIdType BytesSent = 0;
   double PipelineSeconds = 0;
   double PrepareSeconds = 0;
   double TileSeconds = 0;

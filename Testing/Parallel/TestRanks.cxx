@@ -151,6 +151,37 @@ void expectSamePictureOfClimate(Arrange&& arrange)
   }
 }
 
+/// Blocks of columns follow one another along nearly all rays: processes send what their segments, 24 bytes each, amount to.
+TEST(RankedPicture, SendsFarLessThanItsSegments)
+{
+  vtkNew<vtkCloudNetCDFReader> reader;
+  reader->SetFileName(Climate.c_str());
+  reader->SetVerticalExaggeration(40);
+  Scene scene(reader);
+  scene.Scape->AddBody(scene.Surface);
+  scene.AddFog();
+  look(scene.Scape, 150, 110);
+  scene.Scape->SetController(controller());
+  scene.Scape->Update();
+  const vtkIdType segments = scene.Scape->GetNumberOfSegments();
+  const vtkIdType sent = scene.Scape->GetBytesSent();
+  EXPECT_GT(segments, 10000);
+  EXPECT_EQ(sent > 0, ranks() > 1);
+  EXPECT_LT(5 * sent, 24 * segments);
+}
+
+/// Haze overlaps all pieces: after the first round of tiles all segments are sent.
+TEST(RankedPicture, HazeEverywhereInManyRounds)
+{
+  expectSamePictureOfClimate(
+    [](Scene& scene)
+    {
+      scene.AddAll();
+      scene.Scape->SetTileSize(6);
+      look(scene.Scape, 97, 83);
+    });
+}
+
 /// No cell is drawn twice or not at all.
 TEST(RankedPicture, FogAloneHasAsManySegments)
 {
@@ -262,6 +293,55 @@ TEST(RankedPicture, ProcessesWithNothing)
   expectSamePicture(scenes[0]->Scape, scenes[1]->Scape);
   const bool nothing = cut[0]->GetOutput()->GetNumberOfPoints() == 0;
   EXPECT_EQ(everywhere(!nothing), ranks() <= 3);
+}
+
+/// A wall of 90 x 1 x 4 cells that winds round the vertical three times: what one process has of it encloses what another has.
+vtkSmartPointer<vtkStructuredGrid> spiral()
+{
+  constexpr int Columns = 91;
+  auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
+  grid->SetDimensions(Columns, 2, 5);
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> cloud;
+  cloud->SetName(nephoscope::arrays::CloudFraction);
+  for (int p = 0; p < 2 * 5 * Columns; ++p)
+  {
+    const double turn = 3.0 * (p % Columns) / (Columns - 1);
+    const double radius = 2000 + 1500 * turn - 700 * (p / Columns % 2);
+    const double angle = 2 * M_PI * turn;
+    points->InsertNextPoint(
+      radius * std::cos(angle), radius * std::sin(angle), 700 * (p / (2 * Columns)));
+    cloud->InsertNextValue(0.1F * static_cast<float>(p % 7) + 0.1F);
+  }
+  grid->SetPoints(points);
+  grid->GetPointData()->SetScalars(cloud);
+  return grid;
+}
+
+TEST(RankedPicture, PiecesThatEncloseOthers)
+{
+  vtkNew<vtkTrivialProducer> producers[2];
+  vtkNew<vtkCloudSmooth> cut[2]; // by nothing: it gives pieces
+  std::unique_ptr<Scene> scenes[2];
+  for (int n = 0; n < 2; ++n)
+  {
+    producers[n]->SetOutput(spiral());
+    cut[n]->SetLength(0);
+    cut[n]->SetInputConnection(producers[n]->GetOutputPort());
+    scenes[n] = std::make_unique<Scene>(cut[n]);
+    scenes[n]->Volume->SetFullCoverExtinction(3e-4);
+    scenes[n]->Surface->SetOpacity(0.3);
+    scenes[n]->Scape->AddBody(scenes[n]->Surface);
+    scenes[n]->AddFog();
+    scenes[n]->Scape->SetSize(110, 70);
+    vtkNew<vtkCamera> camera;
+    camera->SetPosition(9000, -14000, 4000);
+    camera->SetFocalPoint(0, 0, 1400);
+    camera->SetViewUp(0, 0, 1);
+    camera->SetViewAngle(40);
+    scenes[n]->Scape->SetCamera(camera);
+  }
+  expectSamePicture(scenes[0]->Scape, scenes[1]->Scape);
 }
 
 /// What one process cannot draw none draws, and none waits for ever.

@@ -241,7 +241,7 @@ TEST(DeepTile, PackedSharesMakeTheWhole)
       addShare(part, share, 3, surfaces);
       std::vector<char> bytes;
       part.pack(bytes);
-      together.addPacked(bytes);
+      together.addPacked(bytes.data(), bytes.size());
     }
     EXPECT_EQ(together.numberOfSegments(), whole.numberOfSegments());
     expectSameLight(together, whole);
@@ -271,7 +271,7 @@ TEST(DeepTile, PackedSumsAddUp)
     part.countSummed(1);
     std::vector<char> bytes;
     part.pack(bytes);
-    together.addPacked(bytes);
+    together.addPacked(bytes.data(), bytes.size());
   }
   std::vector<PixelLight> light;
   together.composite(light);
@@ -290,6 +290,6 @@ TEST(DeepTile, NothingIsPackedOfNothing)
   std::vector<char> bytes;
   tile.pack(bytes);
   EXPECT_TRUE(bytes.empty());
-  tile.addPacked(bytes);
+  tile.addPacked(bytes.data(), bytes.size());
   EXPECT_EQ(tile.numberOfSegments(), 0U);
 }

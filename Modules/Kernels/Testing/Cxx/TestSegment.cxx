@@ -202,6 +202,21 @@ TEST(Segment, DepthIsWhereHalfIsLetThrough)
   }
 }
 
+/// Extinction from 0 to 1 at the far end, over 2: the optical depth is x^2 / 4. Alone, and with another that falls as it rises.
+TEST(Segment, DepthIsAfterLinearExtinction)
+{
+  Segment rising = uniform(10, 12, 1, 0);
+  rising.skew = 1;
+  EXPECT_NEAR(compositeOf({ rising }).depth, 10 + 2 * std::sqrt(std::log(2.0)), 1e-6);
+  Segment falling = rising;
+  falling.skew = -1;
+  EXPECT_NEAR(compositeOf({ rising, falling }).depth, 10 + std::log(2.0), 1e-6);
+  Segment earlier =
+    uniform(9, 11, 1, 0); // of the half that is common: 0.5 x + 0.25 x^2 = ln 2 - 0.5
+  EXPECT_NEAR(
+    compositeOf({ rising, earlier }).depth, 10 - 1 + 2 * std::sqrt(std::log(2.0) - 0.25), 1e-6);
+}
+
 TEST(TransmittedMean, JoinsSeriesAndFormula)
 {
   for (double x : { 0.0, 1e-12, 1e-6, 0.99e-5, 1.01e-5, 1e-3, 1.0, 700.0, 1e6 })
