@@ -25,8 +25,13 @@ using nephoscope::PixelRuns;
 using Packet = TileExchange::Packet;
 using Received = TileExchange::Received;
 
-constexpr vtkIdType TilesOfARank = 16; // in a round
 constexpr int Tag = 7406;
+
+/// In a round: so many that what ranks have to do in it evens out, so few that their segments find room.
+vtkIdType tilesOfARank(vtkMultiProcessController* controller)
+{
+  return std::max(16, 64 / controller->GetNumberOfProcesses());
+}
 
 template <class T>
 Packet packetOf(const std::vector<T>& items)
@@ -101,7 +106,7 @@ public:
     , Scene(scene)
     , Sums(sums)
     , Drawer(scene)
-    , Tiles(controller, this->Drawer.GetNumberOfTiles(), TilesOfARank)
+    , Tiles(controller, this->Drawer.GetNumberOfTiles(), tilesOfARank(controller))
     , Whole(sums)
   {
   }
