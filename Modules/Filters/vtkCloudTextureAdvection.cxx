@@ -2,9 +2,9 @@
 #include "vtkCloudTextureAdvection.h"
 
 #include "CloudArrays.h"
+#include "InputPipeline.h"
 #include "PieceOfWhole.h"
 #include "TextureAdvector.h"
-#include "vtkCompositeDataPipeline.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -28,42 +28,18 @@ struct vtkCloudTextureAdvection::Progress
   bool Cut = true;      // whether the input comes whole
 };
 
-/// The usual executive, which would not call the filter when its input has failed: other processes would wait for it, and between two of its
-/// times it would be asked for the next one for ever.
-class vtkCloudTextureAdvection::Pipeline : public vtkCompositeDataPipeline
-{
-public:
-  static Pipeline* New();
-  vtkTypeMacro(Pipeline, vtkCompositeDataPipeline);
-
-protected:
-  using Superclass::ForwardUpstream;
-  int ForwardUpstream(vtkInformation* request) override
-  {
-    const int result = this->Superclass::ForwardUpstream(request);
-    auto* const filter = vtkCloudTextureAdvection::SafeDownCast(this->GetAlgorithm());
-    if (!filter || !request->Has(REQUEST_DATA()))
-    {
-      return result;
-    }
-    filter->InputCame = result != 0;
-    return 1;
-  }
-};
-vtkStandardNewMacro(vtkCloudTextureAdvection::Pipeline);
-
 namespace
 {
-using Keys = vtkStreamingDemandDrivenPipeline;
+using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 std::vector<double> timesOf(vtkInformation* info)
 {
-  if (!info->Has(Keys::TIME_STEPS()))
+  if (!info->Has(Pipeline::TIME_STEPS()))
   {
     return {};
   }
-  const double* const steps = info->Get(Keys::TIME_STEPS());
-  return { steps, steps + info->Length(Keys::TIME_STEPS()) };
+  const double* const steps = info->Get(Pipeline::TIME_STEPS());
+  return { steps, steps + info->Length(Pipeline::TIME_STEPS()) };
 }
 
 void addArray(
@@ -101,13 +77,13 @@ vtkMultiProcessController* vtkCloudTextureAdvection::GetController() const
 bool vtkCloudTextureAdvection::IsTogether(vtkInformation* output) const
 {
   const int ranks = this->Controller ? this->Controller->GetNumberOfProcesses() : 1;
-  return ranks > 1 && output->Get(Keys::UPDATE_NUMBER_OF_PIECES()) == ranks &&
-    output->Get(Keys::UPDATE_PIECE_NUMBER()) == this->Controller->GetLocalProcessId();
+  return ranks > 1 && output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) == ranks &&
+    output->Get(Pipeline::UPDATE_PIECE_NUMBER()) == this->Controller->GetLocalProcessId();
 }
 
 vtkExecutive* vtkCloudTextureAdvection::CreateDefaultExecutive()
 {
-  return Pipeline::New();
+  return nephoscope::InputPipeline::New();
 }
 
 /// Throws GridError.
@@ -126,7 +102,7 @@ void vtkCloudTextureAdvection::Begin(vtkInformation* input, bool together)
   if (together)
   {
     nephoscope::PointExtent whole;
-    input->Get(Keys::WHOLE_EXTENT(), whole.data());
+    input->Get(Pipeline::WHOLE_EXTENT(), whole.data());
     textures.divide(this->Controller, whole);
   }
   this->Work = std::make_unique<Progress>(Progress{ std::move(textures) });
@@ -166,8 +142,8 @@ int vtkCloudTextureAdvection::RequestUpdateExtent(
   double target = 0;
   if (!times.empty())
   {
-    target =
-      out->Has(Keys::UPDATE_TIME_STEP()) ? out->Get(Keys::UPDATE_TIME_STEP()) : times.front();
+    target = out->Has(Pipeline::UPDATE_TIME_STEP()) ? out->Get(Pipeline::UPDATE_TIME_STEP())
+                                                    : times.front();
     if (!(target >= times.front() && target <= times.back()))
     {
       vtkErrorMacro("Time " << target << " s is not within the input's, " << times.front() << " to "
@@ -186,12 +162,12 @@ int vtkCloudTextureAdvection::Ask(vtkInformation* input, vtkInformation* output,
   {
     textures.begin(target);
   }
-  const bool timed = input->Has(Keys::TIME_STEPS()) != 0;
+  const bool timed = input->Has(Pipeline::TIME_STEPS()) != 0;
   const bool last = textures.isReady() || !timed;
   this->Work->Cut = true;
   if (textures.isDivided())
   {
-    const int ghosts = last ? output->Get(Keys::UPDATE_NUMBER_OF_GHOST_LEVELS()) : 0;
+    const int ghosts = last ? output->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()) : 0;
     this->Work->Cut = !nephoscope::askForPiece(input, output, ghosts);
   }
   else
@@ -200,7 +176,7 @@ int vtkCloudTextureAdvection::Ask(vtkInformation* input, vtkInformation* output,
   }
   if (timed)
   {
-    input->Set(Keys::UPDATE_TIME_STEP(), last ? target : textures.nextTime());
+    input->Set(Pipeline::UPDATE_TIME_STEP(), last ? target : textures.nextTime());
   }
   return 1;
 }
@@ -211,11 +187,11 @@ int vtkCloudTextureAdvection::RequestData(
   vtkStructuredGrid* const input = vtkStructuredGrid::GetData(inputs[0]);
   vtkStructuredGrid* const output = vtkStructuredGrid::GetData(outputs);
   nephoscope::TextureAdvector& textures = this->Work->Textures;
-  request->Remove(Keys::CONTINUE_EXECUTING());
+  request->Remove(Pipeline::CONTINUE_EXECUTING());
   this->Work->Running = false;
   try
   {
-    textures.require(this->InputCame ? "" : "The input has failed; see its message.");
+    textures.require(nephoscope::whatInputLacks(this));
     if (!textures.isReady())
     {
       textures.take(input);
@@ -224,10 +200,10 @@ int vtkCloudTextureAdvection::RequestData(
       {
         return 1;
       }
-      if (inputs[0]->GetInformationObject(0)->Has(Keys::TIME_STEPS()))
+      if (inputs[0]->GetInformationObject(0)->Has(Pipeline::TIME_STEPS()))
       {
         this->Work->Running = true;
-        request->Set(Keys::CONTINUE_EXECUTING(), 1);
+        request->Set(Pipeline::CONTINUE_EXECUTING(), 1);
         return 1;
       }
     }

@@ -148,7 +148,6 @@ private:
   double MaximumStretch = 1;
   int NumberOfSubsteps = 1;
 
-  class Pipeline;
   bool IsTogether(vtkInformation* output) const;
   void Begin(vtkInformation* input, bool together);
   int Ask(vtkInformation* input, vtkInformation* output, double target);
@@ -156,7 +155,6 @@ private:
   void AddCoordinates(vtkStructuredGrid* output);
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
-  bool InputCame = true;
   struct Progress;
   std::unique_ptr<Progress> Work;
 };

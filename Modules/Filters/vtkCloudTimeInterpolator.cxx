@@ -4,6 +4,7 @@
 #include "AirSnapshot.h"
 #include "CarriedField.h"
 #include "CloudArrays.h"
+#include "InputPipeline.h"
 #include "PieceOfWhole.h"
 
 #include "vtkDataSetAttributes.h"
@@ -198,6 +199,11 @@ struct vtkCloudTimeInterpolator::Interval
 vtkCloudTimeInterpolator::vtkCloudTimeInterpolator() = default;
 vtkCloudTimeInterpolator::~vtkCloudTimeInterpolator() = default;
 
+vtkExecutive* vtkCloudTimeInterpolator::CreateDefaultExecutive()
+{
+  return nephoscope::InputPipeline::New();
+}
+
 int vtkCloudTimeInterpolator::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
@@ -254,6 +260,13 @@ int vtkCloudTimeInterpolator::RequestData(
   vtkStructuredGrid* const input = vtkStructuredGrid::GetData(inputs[0]);
   vtkStructuredGrid* const output = vtkStructuredGrid::GetData(outputs);
   Interval& between = *this->Between;
+  const std::string wrong = nephoscope::whatInputLacks(this);
+  if (!wrong.empty())
+  {
+    request->Remove(Pipeline::CONTINUE_EXECUTING());
+    vtkErrorMacro(<< wrong);
+    return 0;
+  }
   if (between.Times.empty())
   {
     output->ShallowCopy(input);

@@ -88,6 +88,7 @@ protected:
   vtkCloudTimeInterpolator();
   ~vtkCloudTimeInterpolator() override;
 
+  vtkExecutive* CreateDefaultExecutive() override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

@@ -47,7 +47,8 @@ public:
   double Spacing = 1e4; ///< m, in the plane
   double HeightScale = 1;
   bool HasWind = true;
-  bool Shrinks = false; ///< has a column less after time 0
+  bool Shrinks = false;    ///< has a column less after time 0
+  double FailsFrom = 1e30; ///< s, as a file that ends too early
   std::vector<double> Times{ 0, 6 * Hour, 12 * Hour, 18 * Hour };
   std::function<void(const double position[3], double time, double wind[3])> Wind =
     [](const double*, double, double wind[3]) { wind[0] = wind[1] = wind[2] = 0; };
@@ -90,6 +91,11 @@ protected:
     const double time =
       out->Has(Pipeline::UPDATE_TIME_STEP()) ? out->Get(Pipeline::UPDATE_TIME_STEP()) : 0;
     this->Asked.insert(time);
+    if (time >= this->FailsFrom)
+    {
+      vtkErrorMacro("The file ends before " << time << " s.");
+      return 0;
+    }
     vtkStructuredGrid* const grid = vtkStructuredGrid::GetData(outputs);
     const int columns = this->Size[0] - (this->Shrinks && time > 0 ? 1 : 0);
     grid->SetDimensions(columns, this->Size[1], this->Size[2]);

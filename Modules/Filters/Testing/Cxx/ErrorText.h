@@ -10,7 +10,7 @@
 
 #include <string>
 
-/// Updates an algorithm and returns what it reports as errors and warnings.
+/// Updates an algorithm and returns what it, but not its input, reports as errors and warnings.
 inline std::string errorTextOf(vtkAlgorithm* algorithm)
 {
   std::string text;
@@ -26,6 +26,20 @@ inline std::string errorTextOf(vtkAlgorithm* algorithm)
   algorithm->RemoveObserver(error);
   algorithm->RemoveObserver(warning);
   algorithm->GetExecutive()->RemoveObserver(executive);
+  return text;
+}
+
+/// The same of an algorithm whose input fails, and does not print what that says.
+inline std::string inputErrorOf(vtkAlgorithm* algorithm, vtkAlgorithm* input)
+{
+  vtkNew<vtkCallbackCommand> silent;
+  silent->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+  const unsigned long of = input->AddObserver(vtkCommand::ErrorEvent, silent);
+  const unsigned long ofExecutive =
+    input->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silent);
+  const std::string text = errorTextOf(algorithm);
+  input->RemoveObserver(of);
+  input->GetExecutive()->RemoveObserver(ofExecutive);
   return text;
 }
 #endif

@@ -299,6 +299,22 @@ TEST(CloudTextureAdvection, CloudsThatAreSeenMoveWithTheWind)
   }
 }
 
+/// Asked for the next time again and again it would never end.
+TEST(CloudTextureAdvection, AnInputThatFailsAtALaterTimeEndsTheUpdate)
+{
+  vtkNew<Atmosphere> air;
+  vtkNew<vtkCloudTextureAdvection> filter;
+  filter->SetInputConnection(air->GetOutputPort());
+  air->FailsFrom = 12 * Hour;
+  filter->UpdateInformation();
+  filter->GetOutputInformation(0)->Set(Pipeline::UPDATE_TIME_STEP(), 13 * Hour);
+  EXPECT_NE(inputErrorOf(filter, air).find("The input has failed"), std::string::npos);
+  filter->GetOutputInformation(0)->Set(Pipeline::UPDATE_TIME_STEP(), 7 * Hour);
+  EXPECT_NE(inputErrorOf(filter, air).find("The input has failed"), std::string::npos);
+  filter->GetOutputInformation(0)->Set(Pipeline::UPDATE_TIME_STEP(), 5 * Hour);
+  EXPECT_EQ(errorTextOf(filter), "");
+}
+
 TEST(CloudTextureAdvection, FailuresSayWhatAndWhere)
 {
   vtkNew<Atmosphere> air;

@@ -218,6 +218,15 @@ TEST_F(CloudTimeInterpolator, WithoutTimesTheInputPasses)
   EXPECT_EQ(pointValues(this->Filter, Fraction).size(), 23U * 11 * 4);
 }
 
+/// Asked for the next time again and again it would never end.
+TEST_F(CloudTimeInterpolator, AnInputThatFailsAtItsSecondTimeEndsTheUpdate)
+{
+  this->Air->FailsFrom = 1;
+  this->Filter->UpdateInformation();
+  this->Filter->GetOutputInformation(0)->Set(Pipeline::UPDATE_TIME_STEP(), 0.5 * Hour);
+  EXPECT_NE(inputErrorOf(this->Filter, this->Air).find("The input has failed"), std::string::npos);
+}
+
 TEST_F(CloudTimeInterpolator, FailuresSayWhatAndWhere)
 {
   const auto errorAt = [this](double time)
