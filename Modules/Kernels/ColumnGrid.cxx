@@ -125,6 +125,11 @@ int ColumnGrid::columnInterval(double& x) const
   const double first = this->X.rising(0);
   if (!this->Periodic)
   {
+    if (this->Sphere && (x < first || x > this->X.Rising.back()))
+    {
+      // Beyond the nearer edge; a region may go over the meridian at which longitudes begin again.
+      x -= 2 * Pi * std::round((x - 0.5 * (first + this->X.Rising.back())) / (2 * Pi));
+    }
     x = std::min(std::max(x, first), this->X.Rising.back());
     return this->X.interval(x);
   }

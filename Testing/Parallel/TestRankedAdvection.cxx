@@ -130,7 +130,7 @@ TEST(RankedAdvection, RegionOfASphere)
   Pair pair(
     [](WindSource* source, vtkCloudTextureAdvection* filter)
     {
-      source->FirstLongitude = -20;
+      source->FirstLongitude = 155; // over the date line
       source->Spacing = 1.5;
       source->Columns = 37;
       source->FirstLatitude = 60;

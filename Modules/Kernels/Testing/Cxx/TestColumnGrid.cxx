@@ -154,3 +154,41 @@ TEST(ColumnGrid, OneColumnIsReadEverywhere)
   EXPECT_EQ(stencil.column[0], 0);
   EXPECT_EQ(stencil.weight[0], 1);
 }
+
+/// Wherever longitudes are counted from. Beyond the edges the nearer edge is read.
+TEST(ColumnGrid, RegionsOverTheDateLine)
+{
+  constexpr double Degree = Pi / 180;
+  for (const double first : { 170.0, 250.0, -190.0, -20.0, 350.0 })
+  {
+    std::vector<double> x;
+    for (int i = 0; i < 21; ++i)
+    {
+      x.push_back((first + i) * Degree);
+    }
+    const ColumnGrid grid =
+      ColumnGrid::sphere(x, { 30 * Degree, 31 * Degree, 32 * Degree, 33 * Degree });
+    const auto columnRead = [&](double longitude, Interpolation interpolation)
+    {
+      const double a = longitude * Degree;
+      const double b = 31.3 * Degree;
+      ColumnStencil stencil;
+      grid.locate({ std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b) },
+        interpolation, stencil);
+      double column = 0;
+      for (int n = 0; n < stencil.count; ++n)
+      {
+        column += stencil.weight[n] * (stencil.column[n] % grid.columns());
+      }
+      return column;
+    };
+    for (const auto interpolation : { Interpolation::Linear, Interpolation::Cubic })
+    {
+      SCOPED_TRACE(first);
+      EXPECT_NEAR(columnRead(first + 3.25, interpolation), 3.25, 1e-9);
+      EXPECT_NEAR(columnRead(first + 15.3, interpolation), 15.3, 1e-9);
+      EXPECT_NEAR(columnRead(first - 5, interpolation), 0, 1e-9);
+      EXPECT_NEAR(columnRead(first + 25, interpolation), 20, 1e-9);
+    }
+  }
+}
