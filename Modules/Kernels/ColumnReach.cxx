@@ -45,6 +45,11 @@ double widestInterval(const std::vector<double>& values)
   return widest;
 }
 
+double marginOf(const std::vector<double>& values)
+{
+  return Intervals * widestInterval(values) + Rounding;
+}
+
 /// How far in longitude parcels of a block may come to be where a row is read. @param margin of latitude about the row
 double turnAtRow(double row, double margin, double highestOfBlock, double angle)
 {
@@ -59,6 +64,27 @@ double turnAtRow(double row, double margin, double highestOfBlock, double angle)
 }
 }
 
+std::array<int, 2> rowsWithin(
+  const ColumnGrid& grid, const ColumnRectangle& block, double distance, double radius)
+{
+  std::array<int, 2> rows{ grid.rows(), -1 };
+  if (block.size() == 0)
+  {
+    return rows;
+  }
+  const std::vector<double>& y = grid.rowCoordinates();
+  const Range blockY(y, block.firstRow, block.rows);
+  const double angle = grid.isSphere() ? distance / radius : distance;
+  for (int j = 0; j < grid.rows(); ++j)
+  {
+    if (blockY.distance(y[j], false) <= angle + marginOf(y))
+    {
+      rows = { std::min(rows[0], j), j };
+    }
+  }
+  return rows;
+}
+
 std::vector<int> columnsWithin(
   const ColumnGrid& grid, const ColumnRectangle& block, double distance, double radius)
 {
@@ -69,20 +95,16 @@ std::vector<int> columnsWithin(
   const std::vector<double>& x = grid.columnCoordinates();
   const std::vector<double>& y = grid.rowCoordinates();
   const Range blockX(x, block.firstColumn, block.columns);
-  const Range blockY(y, block.firstRow, block.rows);
+  const double highest = Range(y, block.firstRow, block.rows).farthestFromZero();
   const double angle = grid.isSphere() ? distance / radius : distance;
-  const double margin = Intervals * widestInterval(y) + Rounding;
   // The interval that closes a circle is as wide as the others, to half an interval.
-  const double beside = (Intervals + 1) * widestInterval(x) + Rounding;
+  const double beside = marginOf(x) + widestInterval(x);
   std::vector<int> found;
-  for (int j = 0; j < grid.rows(); ++j)
+  const auto [first, last] = rowsWithin(grid, block, distance, radius);
+  for (int j = first; j <= last; ++j)
   {
-    if (blockY.distance(y[j], false) > angle + margin)
-    {
-      continue;
-    }
-    const double across = beside +
-      (grid.isSphere() ? turnAtRow(y[j], margin, blockY.farthestFromZero(), angle) : angle);
+    const double across =
+      beside + (grid.isSphere() ? turnAtRow(y[j], marginOf(y), highest, angle) : angle);
     for (int i = 0; i < grid.columns(); ++i)
     {
       if (blockX.distance(x[i], grid.isSphere()) <= across)

@@ -33,6 +33,10 @@ struct ColumnRectangle
   int row(std::size_t n) const { return this->firstRow + static_cast<int>(n / this->columns); }
 };
 
+/// The rows that may be read, from the first to the last. An empty block has none: then the last is before the first.
+std::array<int, 2> rowsWithin(
+  const ColumnGrid& grid, const ColumnRectangle& block, double distance, double radius);
+
 /// Numbers of columns, rising. @param distance m, >= 0, @param radius of the sphere, m  An empty block has none.
 std::vector<int> columnsWithin(
   const ColumnGrid& grid, const ColumnRectangle& block, double distance, double radius);

@@ -101,6 +101,20 @@ TEST(ColumnReach, OfARegionAndAPlane)
     expectEnough(plane, { 7, 9, 1, 1 }, 0), 9U * 7U); // four columns and three rows either way
 }
 
+TEST(ColumnReach, RowsAreThoseOfTheColumns)
+{
+  const ColumnGrid region = ColumnGrid::sphere(evenly(0.2, 0.02, 50), evenly(1.2, -0.015, 40));
+  const ColumnRectangle block{ 30, 20, 9, 8 };
+  const std::vector<int> columns = columnsWithin(region, block, 100e3, Radius);
+  const std::array<int, 2> rows = rowsWithin(region, block, 100e3, Radius);
+  EXPECT_EQ(rows[0], columns.front() / region.columns());
+  EXPECT_EQ(rows[1], columns.back() / region.columns());
+  // 100 km are 1.05 rows, and three more are for stencils.
+  EXPECT_EQ(rows, (std::array<int, 2>{ 16, 31 }));
+  const std::array<int, 2> none = rowsWithin(region, {}, 100e3, Radius);
+  EXPECT_LT(none[1], none[0]);
+}
+
 TEST(ColumnReach, AnEmptyBlockNeedsNothing)
 {
   const ColumnGrid plane = ColumnGrid::plane(evenly(0, 1, 3), evenly(0, 1, 2));
