@@ -312,3 +312,35 @@ TEST(VoxelMethods, EachDrawsTheCloudOrSaysWhyNot)
       m.firstSeconds, m.median(), m.figures.at("error"));
   }
 }
+
+TEST(ConversionMethods, MeansKeepTheMassAndAreCloserThanCentres)
+{
+  Situation situation;
+  situation.points = { 160, 90, 13 };
+  std::vector<Method> coarse; // the finest take long with sanitizers
+  for (const Method& method : group("conversion"))
+  {
+    if (method.settings.at("voxels a cell") != "4")
+    {
+      coarse.push_back(method);
+    }
+  }
+  ASSERT_EQ(coarse.size(), 4U);
+  const auto measured = measure(coarse, situation, { 1, 60 }, {});
+  for (const Measurement& m : measured)
+  {
+    ASSERT_EQ(m.leftOut, "") << m.method.label();
+    std::printf("%-40s first %.3f s, then %.3f s, error %.3g, of mass %.2g\n",
+      m.method.label().c_str(), m.firstSeconds, m.median(), m.figures.at("error"),
+      m.figures.at("massError"));
+    EXPECT_LT(m.figures.at("error"), 0.3) << m.method.label();
+    EXPECT_LT(m.figures.at("massError"), m.method.ours ? 1e-5 : 0.05) << m.method.label();
+    for (const Measurement& other : measured)
+    {
+      if (m.method.ours && !other.method.ours && m.method.settings == other.method.settings)
+      {
+        EXPECT_LT(m.figures.at("error"), other.figures.at("error")) << m.method.label();
+      }
+    }
+  }
+}

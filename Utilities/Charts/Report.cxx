@@ -68,6 +68,7 @@ const char* errorLabel(const Study& study)
   return study.kind == Study::Choices          ? "Error of radiance of 95 % of the pixels, relative"
     : group == "contour"                       ? "RMS error of cloud fraction over the surface"
     : group == "advection"                     ? "RMS error of position, m of the scene"
+    : group == "conversion"                    ? "RMS error of voxels' means, relative"
     : group == "order" || group == "voxels"    ? "RMS error of radiance"
     : group == "scattering" || group == "haze" ? "Median relative error of light"
                                                : "RMS error of transmittance";
@@ -195,6 +196,8 @@ std::vector<Study> studies(bool quick, int threads)
       grids({ quick ? std::array<int, 3>{ 96, 96, 96 } : std::array<int, 3>{ 256, 256, 256 } },
         quick ? picture : std::array<int, 2>{ 512, 384 }, threads),
       accuracy },
+    { "conversion", "conversion", Study::SpeedAndAccuracy, grids({ grid }, picture, threads),
+      { 3, quick ? 1.0 : 8.0, true } },
     { "contour-cells", "contour", Study::GrowthWithCells, grids(sizes, picture, threads), growing },
     { "volume-cells", "volume", Study::GrowthWithCells, grids(sizes, picture, threads), growing },
     { "volume-pixels", "volume", Study::GrowthWithPixels, pictures, growing },

@@ -204,6 +204,7 @@ std::string titleOf(const Study& study)
     : study.group == "order"                        ? "Orders of cells in volume pictures"
     : study.group == "scattering" ? "Sunlight scattered once in height-field clouds"
     : study.group == "haze"       ? "Shafts of sunlight in haze"
+    : study.group == "conversion" ? "A gridded cloud field as voxels of an OpenVDB file"
     : study.group == "voxels"     ? "Sunlight scattered once in voxels of an OpenVDB file"
                                   : "Volume pictures of a gridded cloud field";
   switch (study.kind)
@@ -234,6 +235,7 @@ std::string subtitleOf(const StudyResult& result)
   }
   std::string text = study.kind == Study::GrowthWithCells ? "shell round a globe"
     : study.group == "voxels"                             ? situationText(s)
+    : study.group == "conversion"                         ? situationText(s) + ", a map"
                                                           : situationText(s) + " round a globe";
   if ((study.group == "volume" || study.group == "order" || study.group == "voxels") &&
     study.kind != Study::GrowthWithPixels)
