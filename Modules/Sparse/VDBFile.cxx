@@ -2,6 +2,7 @@
 #include "VDBFile.h"
 
 #include "VDBHeader.h"
+#include "VDBStructure.h"
 
 #include <openvdb/io/Stream.h>
 #include <openvdb/openvdb.h>
@@ -303,9 +304,10 @@ void takeGrid(
 }
 
 /// The one grid of a stream. Reading past its end throws.
-openvdb::GridBase::Ptr parse(const std::string& bytes, VoxelMetadata& metadata)
+openvdb::GridBase::Ptr parse(std::string& bytes, VoxelMetadata& metadata)
 {
-  std::istringstream stream(bytes, std::ios::binary);
+  ByteBuffer buffer(bytes);
+  std::istream stream(&buffer);
   stream.exceptions(std::ios::eofbit | std::ios::failbit | std::ios::badbit);
   openvdb::io::Stream parsed(stream, false);
   if (const auto file = parsed.getMetadata())
@@ -320,8 +322,9 @@ openvdb::GridBase::Ptr parse(const std::string& bytes, VoxelMetadata& metadata)
 void readGrid(const std::string& path, const std::string& subject, const VDBHeader& header,
   const VDBEntry& entry, double maximumVoxels, VDBReadResult& result)
 {
-  const openvdb::GridBase::Ptr grid =
-    parse(streamOfGrid(path, header, entry), result.grid.metadata);
+  std::string bytes = streamOfGrid(path, header, entry);
+  checkVDBStructure(path, bytes);
+  const openvdb::GridBase::Ptr grid = parse(bytes, result.grid.metadata);
   if (!grid || grid->type() != entry.type)
   {
     throw VDBError(subject + " is not what the file's header says; get the file again");

@@ -55,7 +55,7 @@ double fractionAt(const Vector3& map)
 
 vtkSmartPointer<vtkStructuredGrid> mapGrid(const Situation& situation)
 {
-  const auto grid = shell::structuredGrid(situation);
+  auto grid = shell::structuredGrid(situation);
   vtkNew<vtkPoints> points;
   points->SetNumberOfPoints(grid->GetNumberOfPoints());
   for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)

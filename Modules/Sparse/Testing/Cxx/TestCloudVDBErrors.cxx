@@ -79,6 +79,9 @@ TEST(CloudVDBErrors, WhatIsNoFile)
   bytes[8] = 99; // the version
   writeBytes(folder.file("new.vdb"), bytes);
   expectRefusal(folder.file("new.vdb"), "file version 99");
+  bytes[8] = static_cast<char>(221);
+  writeBytes(folder.file("old.vdb"), bytes);
+  expectRefusal(folder.file("old.vdb"), "versions 222 to 224 are read");
 }
 
 TEST(CloudVDBErrors, AFileThatIsCutShortAnywhere)
@@ -91,6 +94,50 @@ TEST(CloudVDBErrors, AFileThatIsCutShortAnywhere)
     writeBytes(folder.file("short.vdb"), bytes.substr(0, length));
     expectRefusal(folder.file("short.vdb"), "is cut short or damaged");
   }
+}
+
+TEST(CloudVDBErrors, ABlockLongerThanItsNode)
+{
+  // One voxel: the file ends with its block, a length of 8 bytes, Blosc's header of 16 and a float.
+  const Folder folder;
+  auto grid = smallFog();
+  grid->clear();
+  grid->tree().setValueOn(openvdb::Coord(1, 2, 3), 0.5F);
+  save(folder.file("fog.vdb"), grid);
+  EXPECT_EQ(readAs(vtkCloudVDBReader::Bricks, folder.file("fog.vdb")).said, "");
+  const std::string whole = bytesOf(folder.file("fog.vdb"));
+  const std::size_t at = whole.size() - 28;
+  ASSERT_EQ(whole.substr(at, 8), "\x14" + std::string(7, '\0'));
+  const std::string minus20 = "\xec" + std::string(7, '\xff'); // 20 bytes that are not compressed
+  for (const auto& [place, change] :
+    { std::make_pair(at, minus20), std::make_pair(at, std::string("\x08")),
+      std::make_pair(at + 7, std::string("\x7f")), std::make_pair(at + 12, std::string("\x08")),
+      std::make_pair(at + 20, std::string("\x24")) })
+  {
+    std::string bytes = whole;
+    bytes.replace(place, change.size(), change);
+    writeBytes(folder.file("long.vdb"), bytes);
+    expectRefusal(folder.file("long.vdb"), "is cut short or damaged");
+  }
+}
+
+TEST(CloudVDBErrors, MetadataWhoseLengthIsNotThatOfTheirType)
+{
+  // What says 7 bytes and is called a vector is not read as one.
+  const Folder folder;
+  auto grid = smallFog();
+  grid->insertMeta("note", openvdb::StringMetadata("seven b"));
+  save(folder.file("fog.vdb"), grid);
+  std::string bytes = bytesOf(folder.file("fog.vdb"));
+  const std::size_t at = bytes.find("string", bytes.find("note"));
+  bytes.replace(at - 4, 10, std::string("\x05\0\0\0vec3d", 9));
+  const std::size_t length = bytes.find("seven b") - 4;
+  bytes[length] = 8;
+  bytes.insert(bytes.find("seven b"), "X"); // as long in all as before
+  writeBytes(folder.file("odd.vdb"), bytes);
+  const Read read = readAs(vtkCloudVDBReader::Bricks, folder.file("odd.vdb"));
+  EXPECT_EQ(read.said, "");
+  EXPECT_EQ(valuesOf(read)->GetNumberOfTuples(), 4);
 }
 
 TEST(CloudVDBErrors, GridsThatAreNotThereOrOfAnotherType)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files with bytes changed at random: each is read or refused. Children of this process read them, so that a crash inside OpenVDB is
-// counted, not shared.
+// Files with bytes changed at random: each is read or refused, in little memory. Children of this process read them, so that a crash
+// is counted, not shared.
 #include "SparseTesting.h"
 #include "vtkCloudVDBWriter.h"
 
@@ -11,6 +11,7 @@
 #include <exception>
 #include <fstream>
 #include <random>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -113,7 +114,12 @@ std::string fates(const Folder& folder, const std::string& bytes, int first)
   }
   ::close(ends[0]);
   int status = 0;
-  ::waitpid(child, &status, 0);
+  struct rusage used = {};
+  ::wait4(child, &status, 0, &used);
+#ifndef __SANITIZE_ADDRESS__
+  // A file of 60 kB may need 40 times as much, and makes 1e7 voxels at most.
+  EXPECT_LT(used.ru_maxrss, 400 * 1024); // kB
+#endif
   return told;
 }
 }
@@ -147,8 +153,8 @@ TEST(CloudVDBMutations, AreReadOrRefused)
       ++done;
     }
   }
-  std::printf("%d read, %d refused, %d crashed inside OpenVDB\n", read, refused, crashed);
+  std::printf("%d read, %d refused, %d crashed\n", read, refused, crashed);
   EXPECT_GT(read, Mutants / 20);
   EXPECT_GT(refused, Mutants / 20);
-  EXPECT_LE(crashed, 1 + Mutants / 120);
+  EXPECT_EQ(crashed, 0);
 }
