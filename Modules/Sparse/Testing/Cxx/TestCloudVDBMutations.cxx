@@ -29,9 +29,9 @@ extern "C" const char* __asan_default_options()
 namespace
 {
 #ifdef __SANITIZE_ADDRESS__
-constexpr int Mutants = 150; // ten times slower
+constexpr int Mutants = 300; // ten times slower
 #else
-constexpr int Mutants = 600;
+constexpr int Mutants = 2000;
 #endif
 
 std::string bytesOf(const std::string& path)
