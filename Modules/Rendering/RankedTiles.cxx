@@ -44,7 +44,10 @@ template <class T>
 std::vector<T> itemsOf(const Received& packet)
 {
   std::vector<T> items(packet.Size / sizeof(T));
-  std::memcpy(items.data(), packet.Data, items.size() * sizeof(T));
+  if (!items.empty())
+  {
+    std::memcpy(items.data(), packet.Data, items.size() * sizeof(T));
+  }
   return items;
 }
 
