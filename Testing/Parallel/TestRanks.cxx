@@ -309,8 +309,8 @@ vtkSmartPointer<vtkStructuredGrid> spiral()
     const double turn = 3.0 * (p % Columns) / (Columns - 1);
     const double radius = 2000 + 1500 * turn - 700 * (p / Columns % 2);
     const double angle = 2 * M_PI * turn;
-    points->InsertNextPoint(
-      radius * std::cos(angle), radius * std::sin(angle), 700 * (p / (2 * Columns)));
+    const int level = p / (2 * Columns);
+    points->InsertNextPoint(radius * std::cos(angle), radius * std::sin(angle), 700 * level);
     cloud->InsertNextValue(0.1F * static_cast<float>(p % 7) + 0.1F);
   }
   grid->SetPoints(points);

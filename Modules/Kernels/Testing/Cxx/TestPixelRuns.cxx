@@ -39,7 +39,8 @@ struct Scene
     {
       const int pixel = i % Pixels;
       const int k = i / Pixels % Parts;
-      const double near = 10 * k + i / Pixels / Parts + 0.3 * share(random);
+      const int slot = i / Pixels / Parts;
+      const double near = 10 * k + slot + 0.3 * share(random);
       const float tau = 0.1F * share(random);
       const float length = share(random);
       const auto part =
