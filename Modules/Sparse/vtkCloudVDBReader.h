@@ -6,7 +6,7 @@
  * Passes: 1. the file's header is checked against its size; 2. the bytes of the wanted grid are read, never past them; 3. its active voxels
  * become bricks of 8 x 8 x 8, tiles included; 4. the bricks are given as they are, or laid into an image.
  *
- * Input    a .vdb file with file version 218 to 224 (OpenVDB 1 to 11), grids of float, double or vec3s; level sets become fog
+ * Input    a .vdb file with file version 222 to 224 (OpenVDB since 2013), grids of float, double or vec3s; level sets become fog
  *          with a warning: 1 inside, falling to 0 in the band about the surface.
  * Output   Bricks: vtkPolyData, a vertex a brick, with the arrays VoxelBricks, VoxelOrigins and the field data VoxelToScene of
  *            CloudArrays.h; of a vec3s grid VoxelBricks has 1536 components, those of a voxel together.
