@@ -37,7 +37,7 @@ inline std::string inputErrorOf(vtkAlgorithm* algorithm, vtkAlgorithm* input)
   const unsigned long of = input->AddObserver(vtkCommand::ErrorEvent, silent);
   const unsigned long ofExecutive =
     input->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silent);
-  const std::string text = errorTextOf(algorithm);
+  std::string text = errorTextOf(algorithm);
   input->RemoveObserver(of);
   input->GetExecutive()->RemoveObserver(ofExecutive);
   return text;
