@@ -28,8 +28,7 @@ using Pipeline = vtkStreamingDemandDrivenPipeline;
 /// Numbers in the whole grid of the points (cells = 0) or cells (cells = 1) of an extent that may go on beyond the ends of a ring.
 void listSources(const PointExtent& whole, const PointExtent& extent, int cells, vtkIdList* ids)
 {
-  const int ring = whole[1] - whole[0];
-  const vtkIdType columns = ring + 1 - cells;
+  const vtkIdType columns = whole[1] - whole[0] + 1 - cells;
   const vtkIdType rows = whole[3] - whole[2] + 1 - cells;
   for (int k = extent[4]; k <= extent[5] - cells; ++k)
   {
@@ -38,9 +37,7 @@ void listSources(const PointExtent& whole, const PointExtent& extent, int cells,
       const vtkIdType row = columns * (j - whole[2] + rows * (k - whole[4]));
       for (int i = extent[0]; i <= extent[1] - cells; ++i)
       {
-        const int column = i - whole[0];
-        const bool inside = column >= 0 && column < columns;
-        ids->InsertNextId(row + (inside ? column : (column % ring + ring) % ring));
+        ids->InsertNextId(row + ringColumn(whole, i, cells));
       }
     }
   }

@@ -385,15 +385,12 @@ void TextureAdvector::spread(vtkStructuredGrid* grid, Result& result) const
   {
     int extent[6];
     grid->GetExtent(extent);
-    const int ring = this->Whole[1] - this->Whole[0]; // whose ghosts go on beyond its ends
     for (int j = extent[2]; j <= extent[3]; ++j)
     {
       for (int i = extent[0]; i <= extent[1]; ++i)
       {
-        const int column = i - this->Whole[0];
-        const bool inside = column >= 0 && column <= ring;
-        columns.push_back((inside ? column : (column + ring) % ring) +
-          this->Air.share.columns() * (j - this->Whole[2]));
+        columns.push_back(
+          ringColumn(this->Whole, i, 0) + this->Air.share.columns() * (j - this->Whole[2]));
       }
     }
   }

@@ -67,6 +67,16 @@ inline PointExtent withGhosts(
   return grown;
 }
 
+/// Number in the whole grid, from 0, of column i of points (cells = 0) or cells (cells = 1), which may lie any way round a ring beyond
+/// its ends. The columns of points at both ends of a ring are each other's.
+inline int ringColumn(const PointExtent& whole, int i, int cells)
+{
+  const int ring = whole[1] - whole[0];
+  const int column = i - whole[0];
+  const bool inside = column >= 0 && column <= ring - cells;
+  return inside ? column : (column % ring + ring) % ring;
+}
+
 /// Call mark(number) for the points of an extent (cells = 0) or its cells (cells = 1) that lie outside of a block; a block's border
 /// points are its own.
 template <class Mark>

@@ -199,6 +199,17 @@ TEST(ColumnBlocks, PiecesLeftOverAreEmpty)
   }
 }
 
+TEST(ColumnBlocks, RingsGoOnForEver)
+{
+  const PointExtent whole{ 5, 8, 0, 24, 0, 1 }; // 3 columns of cells
+  const int points[] = { 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 3, 1, 2, 0, 1, 2 };
+  for (int n = 0; n < 16; ++n)
+  {
+    EXPECT_EQ(nephoscope::ringColumn(whole, n - 2, 0), points[n]) << n;
+    EXPECT_EQ(nephoscope::ringColumn(whole, n - 2, 1), points[n] % 3) << n;
+  }
+}
+
 /// Blocks of a large grid differ in size by what rounding leaves.
 TEST(ColumnBlocks, AreBalanced)
 {

@@ -4,6 +4,7 @@
 #include "WindSource.h"
 
 #include "CloudArrays.h"
+#include "ColumnBlocks.h"
 #include "vtkCloudNetCDFReader.h"
 #include "vtkCloudTextureAdvection.h"
 
@@ -53,7 +54,7 @@ void expectPieceOfWhole(
       const vtkIdType row = p / columns;
       const vtkIdType j = e[2] + row % (e[3] - e[2] + 1);
       const vtkIdType k = row / (e[3] - e[2] + 1);
-      const int column = i < 0 ? i + n[0] - 1 : i >= n[0] ? i - n[0] + 1 : i;
+      const int column = nephoscope::ringColumn({ 0, n[0] - 1, 0, 0, 0, 0 }, i, 0);
       for (int c = 0; c < a->GetNumberOfComponents(); ++c)
       {
         different +=
@@ -122,6 +123,22 @@ TEST(RankedAdvection, GlobeWithPoleRowsCubic)
       filter->SetInterpolationToCubic();
     });
   pair.expectSame();
+}
+
+/// From 4 processes on some have a part of the ring and ghosts more than once round it.
+TEST(RankedAdvection, MoreGhostsThanColumns)
+{
+  Pair pair(
+    [](WindSource* source, vtkCloudTextureAdvection*)
+    {
+      source->Geometry = "Globe";
+      source->Columns = 4;
+      source->Spacing = 120;
+      source->Rows = 7;
+      source->FirstLatitude = -60;
+      source->RowSpacing = 20;
+    });
+  pair.expectSame({ 1.2 * Hour }, 10);
 }
 
 /// Air comes from beyond the edges. Rows from north to south.

@@ -60,7 +60,7 @@ void WindSource::AddPoint(int i, int j, int k, double time, vtkStructuredGrid* g
 {
   const bool globe = this->Geometry == "Globe";
   const int ring = this->Columns - 1;
-  const int column = i < 0 ? i + ring : i > ring ? i - ring : i;
+  const int column = nephoscope::ringColumn({ 0, ring, 0, 0, 0, 0 }, i, 0);
   const double x = this->FirstLongitude + this->Spacing * column;
   const double y = this->FirstLatitude + this->RowSpacing * j;
   // The same at both ends of a ring, whose last column stands where the first does.
