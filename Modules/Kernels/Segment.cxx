@@ -15,7 +15,7 @@ double transmittedMean(double x)
 double placeOf(double part, double skew)
 {
   const double b = 1 - skew;
-  const double root = b + std::sqrt(b * b + 4 * skew * part);
+  const double root = b + std::sqrt(std::max(b * b + 4 * skew * part, 0.0)); // may be rounded below
   return root > 0 ? std::min(2 * part / root, 1.0) : 0;
 }
 

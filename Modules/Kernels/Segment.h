@@ -60,7 +60,8 @@ constexpr float Opaque =
 PixelLight composite(std::vector<Segment>& segments);
 PixelLight composite(Segment* begin, Segment* end); ///< the same on a range
 
-/// Where a segment's linear extinction has let a part of its optical depth pass: x (1 + skew (x - 1)) = part, all from 0 to 1.
+/// Where a segment's linear extinction has let a part of its optical depth pass: x (1 + skew (x - 1)) = part, all from 0 to 1. A part
+/// that is rounded beyond 1 is all.
 double placeOf(double part, double skew);
 
 /// (1 - exp(-x)) / x for x >= 0, by series where that cancels; 1 at 0, 0 at infinity.

@@ -217,6 +217,43 @@ TEST(Segment, DepthIsAfterLinearExtinction)
     compositeOf({ rising, earlier }).depth, 10 - 1 + 2 * std::sqrt(std::log(2.0) - 0.25), 1e-6);
 }
 
+/// A medium that thins out to nothing and lets through half of the light, to the last bit, at its very end: how long it has to be for that
+/// is found by halving.
+TEST(Segment, DepthIsTheFarEndOfAMediumThatJustHidesHalf)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> opacity(0.01F, 0.45F);
+  for (int n = 0; n < 300; ++n)
+  {
+    const Segment before = surface(0, opacity(random), 1);
+    const auto depthFrom = [&before](double nearEnd)
+    {
+      Segment thinning = uniform(nearEnd, 2, 1, 0);
+      thinning.skew = -1;
+      return compositeOf({ before, thinning }).depth; // of what lies before the eye
+    };
+    double hidesHalf = 0;
+    double hidesLess = -10;
+    for (int halving = 0; halving < 60; ++halving)
+    {
+      const double middle = 0.5 * (hidesHalf + hidesLess);
+      (std::isinf(depthFrom(middle)) ? hidesLess : hidesHalf) = middle;
+    }
+    ASSERT_TRUE(std::isinf(depthFrom(hidesLess)));
+    EXPECT_NEAR(depthFrom(hidesHalf), 2, 1e-6) << n;
+  }
+}
+
+TEST(PlaceOf, EndsAreMetThroughRounding)
+{
+  for (const double skew : { -1.0, std::nextafter(-1.0, -2.0), -0.3, 0.0, 1.0 })
+  {
+    EXPECT_EQ(nephoscope::placeOf(0, skew), 0) << skew;
+    EXPECT_NEAR(nephoscope::placeOf(1, skew), 1, 1e-7) << skew;
+    EXPECT_NEAR(nephoscope::placeOf(std::nextafter(1.0, 2.0), skew), 1, 1e-7) << skew;
+  }
+}
+
 TEST(TransmittedMean, JoinsSeriesAndFormula)
 {
   for (double x : { 0.0, 1e-12, 1e-6, 0.99e-5, 1.01e-5, 1e-3, 1.0, 700.0, 1e6 })
