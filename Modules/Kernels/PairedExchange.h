@@ -44,39 +44,38 @@ inline int exchangePartner(int rank, int ranks, int step)
  * @param controller who says GetNumberOfProcesses(), GetLocalProcessId(), Send(values, count, rank, tag) and Receive likewise, as a
  * vtkMultiProcessController does
  * @param outgoing one for each rank; emptied as they go
+ * @param longest values of a message, whose bytes are counted by int in MPI
  * @return what came from each rank; that of this rank is what it had for itself
  */
 template <class Controller, class Value>
-std::vector<std::vector<Value>> exchangeInPairs(
-  Controller& controller, std::vector<std::vector<Value>>& outgoing)
+std::vector<std::vector<Value>> exchangeInPairs(Controller& controller,
+  std::vector<std::vector<Value>>& outgoing, long long longest = (1LL << 30) / sizeof(Value))
 {
   constexpr int Tag = 7406;
-  static constexpr long long Longest =
-    (1LL << 30) / sizeof(Value); // values of a message, whose bytes are counted by int in MPI
   const int ranks = controller.GetNumberOfProcesses();
   const int rank = controller.GetLocalProcessId();
   std::vector<std::vector<Value>> incoming(static_cast<std::size_t>(ranks));
   incoming[rank].swap(outgoing[rank]);
-  const auto send = [&controller, &outgoing](int to)
+  const auto send = [&controller, &outgoing, longest](int to)
   {
     std::vector<Value>& values = outgoing[to];
     const auto size = static_cast<long long>(values.size());
     controller.Send(&size, 1, to, Tag);
-    for (long long at = 0; at < size; at += Longest)
+    for (long long at = 0; at < size; at += longest)
     {
-      controller.Send(values.data() + at, std::min(Longest, size - at), to, Tag);
+      controller.Send(values.data() + at, std::min(longest, size - at), to, Tag);
     }
     values = {};
   };
-  const auto receive = [&controller, &incoming](int from)
+  const auto receive = [&controller, &incoming, longest](int from)
   {
     std::vector<Value>& values = incoming[from];
     long long size = 0;
     controller.Receive(&size, 1, from, Tag);
     values.resize(static_cast<std::size_t>(size));
-    for (long long at = 0; at < size; at += Longest)
+    for (long long at = 0; at < size; at += longest)
     {
-      controller.Receive(values.data() + at, std::min(Longest, size - at), from, Tag);
+      controller.Receive(values.data() + at, std::min(longest, size - at), from, Tag);
     }
   };
   for (int step = 0; step < exchangeSteps(ranks); ++step)
