@@ -3,8 +3,8 @@
 
 #include "PairedExchange.h"
 #include "vtkCommunicator.h"
-#include "vtkMultiProcessController.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 

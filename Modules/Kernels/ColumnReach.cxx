@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ColumnReach.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace nephoscope
@@ -75,9 +76,10 @@ std::array<int, 2> rowsWithin(
   const std::vector<double>& y = grid.rowCoordinates();
   const Range blockY(y, block.firstRow, block.rows);
   const double angle = grid.isSphere() ? distance / radius : distance;
+  const double reach = angle + marginOf(y);
   for (int j = 0; j < grid.rows(); ++j)
   {
-    if (blockY.distance(y[j], false) <= angle + marginOf(y))
+    if (blockY.distance(y[j], false) <= reach)
     {
       rows = { std::min(rows[0], j), j };
     }
@@ -99,12 +101,13 @@ std::vector<int> columnsWithin(
   const double angle = grid.isSphere() ? distance / radius : distance;
   // The interval that closes a circle is as wide as the others, to half an interval.
   const double beside = marginOf(x) + widestInterval(x);
+  const double margin = marginOf(y);
   std::vector<int> found;
   const auto [first, last] = rowsWithin(grid, block, distance, radius);
   for (int j = first; j <= last; ++j)
   {
     const double across =
-      beside + (grid.isSphere() ? turnAtRow(y[j], marginOf(y), highest, angle) : angle);
+      beside + (grid.isSphere() ? turnAtRow(y[j], margin, highest, angle) : angle);
     for (int i = 0; i < grid.columns(); ++i)
     {
       if (blockX.distance(x[i], grid.isSphere()) <= across)
