@@ -234,6 +234,7 @@ void TextureAdvector::advance(const AirSnapshot& begin, const AirSnapshot& end,
   {
     const AirInterval interval(this->Air, begin, end, reach);
     known = this->advanceWithin(interval, legs, to, asDisplacement);
+    this->FarthestReach = std::max(this->FarthestReach, reach);
   }
 }
 

@@ -3,7 +3,7 @@
  * @file TextureAdvector.h
  * @brief The work of vtkCloudTextureAdvection without its pipeline: which times it needs, and what becomes of them.
  *
- * Use: begin(target); while (!isReady()) take(grid at nextTime()); then coordinates(...).
+ * Use: begin(target); while (!isReady()) take(grid at nextTime()); then finish(grid of the target).
  * Texture number m >= 0 starts at start(m) = first time + m period; number -1 starts at the first time as well.
  *
  * Several processes do this together, each for the columns of its block (ColumnShare.h), with the same settings, times and targets: take()
@@ -54,7 +54,7 @@ public:
   bool everywhere(bool here) const { return nephoscope::everywhere(this->Controller, here); }
   void require(const std::string& wrong) const { nephoscope::require(this->Controller, wrong); }
 
-  /// Coordinates of the lighter-to-heavier textures at the target: 3 floats a point, m. Also forgets what later times do not need.
+  /// Coordinates of the textures at the target, that of even number first: 3 floats a point, m. Also forgets what later times do not need.
   struct Result
   {
     std::vector<float> coordinates[2];
@@ -69,6 +69,8 @@ public:
 
   double period() const { return this->Period; } ///< s; 0 without cross-fade
   int substeps() const { return this->Substeps; }
+  /// Of the intervals so far, that of the one whose air came from farthest, as AirInterval's.
+  double farthestReach() const { return this->FarthestReach; }
 
 private:
   using Displacement = std::vector<float>;
@@ -115,6 +117,7 @@ private:
   int Next = 0;               // to take next
   int Last = 0;               // last file step that is needed
   int Substeps = 1;
+  double FarthestReach = 1;
   std::map<int, AirSnapshot> Snapshots;
   std::map<std::pair<long, int>, Displacement> States; // of a texture at a file step
 };

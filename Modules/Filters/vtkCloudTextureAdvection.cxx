@@ -86,8 +86,7 @@ vtkExecutive* vtkCloudTextureAdvection::CreateDefaultExecutive()
   return nephoscope::InputPipeline::New();
 }
 
-/// Throws GridError.
-void vtkCloudTextureAdvection::Begin(vtkInformation* input, bool together)
+bool vtkCloudTextureAdvection::Begin(vtkInformation* input, bool together)
 {
   this->Work.reset();
   nephoscope::TextureAdvector::Settings settings;
@@ -98,30 +97,35 @@ void vtkCloudTextureAdvection::Begin(vtkInformation* input, bool together)
   settings.tolerance = this->Tolerance;
   settings.crossFade = this->CrossFade;
   settings.restartPeriod = this->RestartPeriod;
-  nephoscope::TextureAdvector textures(settings, timesOf(input));
-  if (together)
+  try
   {
-    nephoscope::PointExtent whole;
-    input->Get(Pipeline::WHOLE_EXTENT(), whole.data());
-    textures.divide(this->Controller, whole);
+    nephoscope::TextureAdvector textures(settings, timesOf(input));
+    if (together)
+    {
+      nephoscope::PointExtent whole;
+      input->Get(Pipeline::WHOLE_EXTENT(), whole.data());
+      textures.divide(this->Controller, whole);
+    }
+    this->Work = std::make_unique<Progress>(Progress{ std::move(textures) });
   }
-  this->Work = std::make_unique<Progress>(Progress{ std::move(textures) });
+  catch (const nephoscope::GridError& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return false;
+  }
+  return true;
+}
+
+double vtkCloudTextureAdvection::FarthestReach() const
+{
+  return this->Work ? this->Work->Textures.farthestReach() : 1;
 }
 
 int vtkCloudTextureAdvection::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
   // Called whenever this or the input has changed: nothing from before holds.
-  try
-  {
-    this->Begin(inputs[0]->GetInformationObject(0), false);
-  }
-  catch (const nephoscope::GridError& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
-  return 1;
+  return this->Begin(inputs[0]->GetInformationObject(0), false) ? 1 : 0;
 }
 
 int vtkCloudTextureAdvection::RequestUpdateExtent(
@@ -134,9 +138,9 @@ int vtkCloudTextureAdvection::RequestUpdateExtent(
     return 0;
   }
   const bool together = this->IsTogether(out);
-  if (together != this->Work->Textures.isDivided())
+  if (together != this->Work->Textures.isDivided() && !this->Begin(in, together))
   {
-    this->Begin(in, together); // what is known is of other columns
+    return 0; // begun again, as what is known is of other columns
   }
   const std::vector<double> times = timesOf(in);
   double target = 0;

@@ -24,8 +24,9 @@
  * Method   trajectories: Trajectory.h; vertical motion through terrain-following or moving levels: motionThroughLevels.
  *          A texture's state at a file time depends on its start and the file alone, so the same time gives the same bits,
  *          whatever was asked for before.
- * Errors   of several processes those of one are those of all. An input that fails, no Wind or Height, a grid whose lines do not run along meridians and parallels (or x and y), times that do not rise, a time
- *          outside the range: vtkErrorMacro, return 0. Without time steps the coordinates are the places.
+ * Errors   an input that fails, no Wind or Height, a grid whose lines do not run along meridians and parallels (or x and y), times
+ *          that do not rise, a time outside the range: vtkErrorMacro, return 0. Where several processes advect together, what is wrong
+ *          in one ends the update of all. Without time steps the coordinates are the places.
  * Cost     per interval one trajectory a point, shared by textures that do not start in it: 8 (linear) or 64 (cubic) weighted reads a
  *          stage and substep; rows of levels have as many substeps as their wind needs (nephoscope::substepsOfRows). On
  *          320 x 160 x 19 points, Runge-Kutta 2, linear, one substep: 0.4 s of one core, half of it for locating positions in
@@ -40,7 +41,8 @@
  *          process ends the update there, and the others wait. Other pieces, and inputs that do not give pieces:
  *          each asks for the whole extent and gives its block.
  * Limits   NaN winds are calm. Air that comes from beyond the edge of a regional grid has the edge's
- *          coordinates.
+ *          coordinates. An input that fails at a later time than the first ends the update in VTK's own pipelines; ParaView gives
+ *          filters executives of its own, which do not call a filter then: the update goes on without end, and other processes wait.
  * @sa Trajectory.h, CoordinateMap.h, vtkCloudTexture, TestCloudTextureAdvection.cxx
  */
 #ifndef vtkCloudTextureAdvection_h
@@ -129,6 +131,9 @@ protected:
   vtkCloudTextureAdvection();
   ~vtkCloudTextureAdvection() override;
 
+  /// How far air came from in an interval at most, in doublings of the strongest wind's reach from 1; more only with other processes.
+  double FarthestReach() const;
+
   vtkExecutive* CreateDefaultExecutive() override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -149,7 +154,7 @@ private:
   int NumberOfSubsteps = 1;
 
   bool IsTogether(vtkInformation* output) const;
-  void Begin(vtkInformation* input, bool together);
+  bool Begin(vtkInformation* input, bool together);
   int Ask(vtkInformation* input, vtkInformation* output, double target);
   void TakeTime(vtkInformation* request, vtkStructuredGrid* input);
   void AddCoordinates(vtkStructuredGrid* output);

@@ -11,6 +11,7 @@
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
+#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkStructuredGrid.h"
 
@@ -19,6 +20,23 @@
 namespace
 {
 constexpr double Hour = 3600;
+
+/// Tells what nobody else has to know.
+class ObservedAdvection : public vtkCloudTextureAdvection
+{
+public:
+  static ObservedAdvection* New();
+  vtkTypeMacro(ObservedAdvection, vtkCloudTextureAdvection);
+  using vtkCloudTextureAdvection::FarthestReach;
+};
+vtkStandardNewMacro(ObservedAdvection);
+
+vtkIdType sumOfAll(vtkIdType here)
+{
+  vtkIdType all = 0;
+  controller()->AllReduce(&here, &all, 1, vtkCommunicator::SUM_OP);
+  return all;
+}
 
 /// Whether this process gets the same from its piece as from the whole, and the same figures. `ghosts` levels about the piece.
 void expectPieceOfWhole(
@@ -33,6 +51,10 @@ void expectPieceOfWhole(
   EXPECT_EQ(together->GetNumberOfSubsteps(), alone->GetNumberOfSubsteps());
   vtkStructuredGrid* const piece = together->GetOutput();
   vtkStructuredGrid* const whole = alone->GetOutput();
+  if (ghosts == 0)
+  {
+    EXPECT_EQ(sumOfAll(piece->GetNumberOfCells()), whole->GetNumberOfCells());
+  }
   if (piece->GetNumberOfPoints() == 0)
   {
     return;
@@ -97,7 +119,7 @@ public:
     }
   }
   vtkNew<WindSource> Source[2];
-  vtkNew<vtkCloudTextureAdvection> Filter[2];
+  vtkNew<ObservedAdvection> Filter[2];
 };
 
 TEST(RankedAdvection, GlobalMapOverTheSeamAndThePoles)
@@ -199,6 +221,8 @@ TEST(RankedAdvection, AirFromBeyondTheReachOfTheStrongestWind)
       filter->CrossFadeOff();
     });
   pair.expectSame({ 2 * Hour, 5 * Hour });
+  EXPECT_EQ(pair.Filter[0]->FarthestReach() > 1, ranks() > 1);
+  EXPECT_EQ(pair.Filter[1]->FarthestReach(), 1); // the whole is at hand
 }
 
 /// A row of 3 columns of cells: with more processes some have nothing.
@@ -227,13 +251,14 @@ TEST(RankedAdvection, WithoutTimes)
   pair.expectSame({ 0 });
 }
 
-/// An input that always gives the whole; and one of real data, with more ghosts.
+/// An input that always gives the whole.
 TEST(RankedAdvection, InputsThatAreWhole)
 {
   Pair pair([](WindSource* source, vtkCloudTextureAdvection*) { source->GivesPieces = false; });
   pair.expectSame({ 1.2 * Hour, 0.3 * Hour });
 }
 
+/// Real data, with more ghosts.
 TEST(RankedAdvection, FilesOfAModel)
 {
   for (const int geometry : { vtkCloudNetCDFReader::Globe, vtkCloudNetCDFReader::Map })
