@@ -19,12 +19,14 @@
  *          are linear, or cubic and clamped. A value that is not finite is left out; a visible point always has one. The result
  *          depends on the requested time and the input alone.
  * Errors   no Wind or Height, a grid whose lines do not run along meridians and parallels (or x and y), times that do not rise, a time
- *          outside the range, a grid that changes its size: vtkErrorMacro, return 0.
+ *          outside the range, a grid that changes its size, an input that fails: vtkErrorMacro, return 0.
  * Cost     two trajectories a point, and 8 (linear) or 72 (cubic) reads an array and time. Spread over threads, the same bits for any
  *          number. Memory: the grids of two times and their wind.
  * Pieces   each asks for the whole extent, as winds may reach any part of it, and gives its block of columns.
  * Limits   Air from beyond the edge of a regional grid is read at the edge. A cloud that stays while the
  *          air blows through it (over a mountain, at a front) is not carried by the wind; see below.
+ *          An input that fails at the second time ends the update in VTK's own pipelines; ParaView gives filters executives of its
+ *          own, which do not call a filter then: the update goes on without end.
  *
  * Whether carrying is better than fading depends on whether the clouds go with the air. Steps that were left out and interpolated
  * from their neighbours, carried against faded (`nephoscope chart --interpolation`): root mean square error; correlation of the gradients
