@@ -131,7 +131,7 @@ protected:
   vtkCloudTextureAdvection();
   ~vtkCloudTextureAdvection() override;
 
-  /// How far air came from in an interval at most, in doublings of the strongest wind's reach from 1; more only with other processes.
+  /// How far away columns were fetched for an interval at most, in units of the strongest wind's reach: 1, 2, 4 ...; 1 if alone.
   double FarthestReach() const;
 
   vtkExecutive* CreateDefaultExecutive() override;
