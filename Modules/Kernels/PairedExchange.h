@@ -16,6 +16,9 @@
 
 namespace nephoscope
 {
+/// Of all messages from one process to another.
+constexpr int ExchangeTag = 7406;
+
 /// Number of steps in which every process has met every other.
 inline int exchangeSteps(int ranks)
 {
@@ -51,7 +54,6 @@ template <class Controller, class Value>
 std::vector<std::vector<Value>> exchangeInPairs(Controller& controller,
   std::vector<std::vector<Value>>& outgoing, long long longest = (1LL << 30) / sizeof(Value))
 {
-  constexpr int Tag = 7406;
   const int ranks = controller.GetNumberOfProcesses();
   const int rank = controller.GetLocalProcessId();
   std::vector<std::vector<Value>> incoming(static_cast<std::size_t>(ranks));
@@ -60,10 +62,10 @@ std::vector<std::vector<Value>> exchangeInPairs(Controller& controller,
   {
     std::vector<Value>& values = outgoing[to];
     const auto size = static_cast<long long>(values.size());
-    controller.Send(&size, 1, to, Tag);
+    controller.Send(&size, 1, to, ExchangeTag);
     for (long long at = 0; at < size; at += longest)
     {
-      controller.Send(values.data() + at, std::min(longest, size - at), to, Tag);
+      controller.Send(values.data() + at, std::min(longest, size - at), to, ExchangeTag);
     }
     values = {};
   };
@@ -71,11 +73,11 @@ std::vector<std::vector<Value>> exchangeInPairs(Controller& controller,
   {
     std::vector<Value>& values = incoming[from];
     long long size = 0;
-    controller.Receive(&size, 1, from, Tag);
+    controller.Receive(&size, 1, from, ExchangeTag);
     values.resize(static_cast<std::size_t>(size));
     for (long long at = 0; at < size; at += longest)
     {
-      controller.Receive(values.data() + at, std::min(longest, size - at), from, Tag);
+      controller.Receive(values.data() + at, std::min(longest, size - at), from, ExchangeTag);
     }
   };
   for (int step = 0; step < exchangeSteps(ranks); ++step)

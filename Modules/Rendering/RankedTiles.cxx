@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RankedTiles.h"
 
+#include "PairedExchange.h"
 #include "PixelRuns.h"
 #include "TileExchange.h"
 #include "vtkCloudBody.h"
@@ -24,8 +25,6 @@ using nephoscope::PixelRun;
 using nephoscope::PixelRuns;
 using Packet = TileExchange::Packet;
 using Received = TileExchange::Received;
-
-constexpr int Tag = 7406;
 
 /// In a round: so many that what ranks have to do in it evens out, so few that their segments find room.
 vtkIdType tilesOfARank(vtkMultiProcessController* controller)
@@ -172,6 +171,11 @@ bool RankedPicture::StartRound(vtkIdType first, bool abort)
   vtkIdType all[3];
   this->Controller->AllReduce(own, all, 3, vtkCommunicator::SUM_OP);
   this->Whole = this->Whole || 2 * all[2] > all[1];
+  if (this->Whole)
+  {
+    this->Kept = {};
+    this->Own = {};
+  }
   this->Runs = 0;
   this->Overlapping = 0;
   this->Tiles.SetRound(first);
@@ -416,7 +420,8 @@ void RankedPicture::Gather(TilePicture* picture)
   for (vtkIdType turn = rank; !picture && turn < this->GetNumberOfTiles(); turn += ranks)
   {
     const std::vector<float>& pixels = this->Finished[turn / ranks];
-    this->Controller->Send(pixels.data(), static_cast<vtkIdType>(pixels.size()), 0, Tag);
+    this->Controller->Send(
+      pixels.data(), static_cast<vtkIdType>(pixels.size()), 0, nephoscope::ExchangeTag);
   }
   std::vector<float> received;
   for (vtkIdType turn = 0; picture && turn < this->GetNumberOfTiles(); ++turn)
@@ -428,7 +433,7 @@ void RankedPicture::Gather(TilePicture* picture)
       received.resize(
         static_cast<std::size_t>(TileDrawer::ValuesOfPixel) * extent.width * extent.height);
       this->Controller->Receive(
-        received.data(), static_cast<vtkIdType>(received.size()), owner, Tag);
+        received.data(), static_cast<vtkIdType>(received.size()), owner, nephoscope::ExchangeTag);
     }
     picture->Place(extent, owner == rank ? this->Finished[turn / ranks].data() : received.data());
   }

@@ -9,13 +9,14 @@
  *  2. the owner composites the pixels in which these runs follow one another, with the bodies that are the same everywhere, and asks for
  *     all segments of the others, and for a depth within a run where it cannot know it (PixelRuns);
  *  3. the ranks answer from the deep tiles that they have kept, and the owner completes its pixels.
- * In the end the finished pixels go to rank 0. Where most pixels of a round have to be asked for, as in a medium that all processes have,
- * the next rounds send all segments at once; sums of optical depths (sumsMayBeSent) are sent in place of runs.
+ * In the end the finished pixels go to rank 0. Where all segments of most runs of a round are asked for, as in a medium that all
+ * processes have, the next rounds send all segments at once; sums of optical depths (sumsMayBeSent) are sent in place of runs.
  *
  * Segments of a pixel are put together in the order of ranks and sorted by distance as those of one process are, so the picture is that of
  * one process but for the rounding of sums. Opaque bodies that are the same everywhere hide segments before they are composited.
  *
- * Memory: this rank's segments in the tiles of a round, twice, and 28 bytes for each of its pixels.
+ * Memory: this rank's segments in the tiles of a round, twice, or once and their runs; of the tiles that it owns in the round what the
+ * others send, runs, then the segments that were asked for, or all segments; and 28 bytes for each pixel of all tiles that it owns.
  */
 #ifndef RankedTiles_h
 #define RankedTiles_h

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TileExchange.h"
 
-#include "RankExchange.h"
+#include "PairedExchange.h"
 #include "vtkMultiProcessController.h"
 
 #include <algorithm>
@@ -79,7 +79,7 @@ void TileExchange::Exchange(std::vector<Packet>& outgoing)
   {
     this->BytesSent += rank == this->Rank ? 0 : static_cast<vtkIdType>(outgoing[rank].size());
   }
-  this->Incoming = exchange(this->Controller, outgoing);
+  this->Incoming = nephoscope::exchangeInPairs(*this->Controller, outgoing);
 }
 
 std::vector<std::vector<TileExchange::Received>> TileExchange::ToOwners(
