@@ -101,6 +101,48 @@ void WindSource::AddPoint(int i, int j, int k, double time, vtkStructuredGrid* g
   data->GetArray(nephoscope::arrays::Wind)->InsertNextTuple(wind);
 }
 
+/// Of the piece that is asked for, or all; false if there is nothing in it.
+bool WindSource::FindExtent(vtkInformation* out, int extent[6]) const
+{
+  const nephoscope::PointExtent whole{ 0, this->Columns - 1, 0, this->Rows - 1, 0,
+    this->Levels - 1 };
+  nephoscope::PointExtent found = whole;
+  const int pieces = this->GivesPieces ? out->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) : 1;
+  if (pieces > 1)
+  {
+    nephoscope::PointExtent block;
+    if (!nephoscope::columnBlock(whole, out->Get(Pipeline::UPDATE_PIECE_NUMBER()), pieces, block))
+    {
+      return false;
+    }
+    found = nephoscope::withGhosts(
+      whole, block, out->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()), this->Geometry == "Globe");
+  }
+  std::copy(found.begin(), found.end(), extent);
+  return true;
+}
+
+void WindSource::AddPoints(double time, vtkStructuredGrid* grid) const
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  grid->SetPoints(points);
+  grid->GetPointData()->AddArray(arrayOf(nephoscope::arrays::Height, 1));
+  grid->GetPointData()->AddArray(arrayOf(nephoscope::arrays::Wind, 3));
+  int extent[6];
+  grid->GetExtent(extent);
+  for (int k = extent[4]; k <= extent[5]; ++k)
+  {
+    for (int j = extent[2]; j <= extent[3]; ++j)
+    {
+      for (int i = extent[0]; i <= extent[1]; ++i)
+      {
+        this->AddPoint(i, j, k, time, grid);
+      }
+    }
+  }
+}
+
 int WindSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   vtkInformation* const out = outputs->GetInformationObject(0);
@@ -112,37 +154,14 @@ int WindSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInformat
     vtkErrorMacro("Nothing can be read at " << time << " s.");
     return 0;
   }
-  const nephoscope::PointExtent whole{ 0, this->Columns - 1, 0, this->Rows - 1, 0,
-    this->Levels - 1 };
-  const int pieces = this->GivesPieces ? out->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) : 1;
-  nephoscope::PointExtent extent = whole;
-  if (pieces > 1)
+  int extent[6];
+  if (!this->FindExtent(out, extent))
   {
-    nephoscope::PointExtent block;
-    if (!nephoscope::columnBlock(whole, out->Get(Pipeline::UPDATE_PIECE_NUMBER()), pieces, block))
-    {
-      grid->Initialize();
-      return 1;
-    }
-    extent = nephoscope::withGhosts(
-      whole, block, out->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()), this->Geometry == "Globe");
+    grid->Initialize();
+    return 1;
   }
-  grid->SetExtent(extent.data());
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  grid->SetPoints(points);
-  grid->GetPointData()->AddArray(arrayOf(nephoscope::arrays::Height, 1));
-  grid->GetPointData()->AddArray(arrayOf(nephoscope::arrays::Wind, 3));
-  for (int k = extent[4]; k <= extent[5]; ++k)
-  {
-    for (int j = extent[2]; j <= extent[3]; ++j)
-    {
-      for (int i = extent[0]; i <= extent[1]; ++i)
-      {
-        this->AddPoint(i, j, k, time, grid);
-      }
-    }
-  }
+  grid->SetExtent(extent);
+  this->AddPoints(time, grid);
   if (time >= this->WithoutWindFrom)
   {
     grid->GetPointData()->RemoveArray(nephoscope::arrays::Wind);

@@ -44,6 +44,8 @@ private:
   WindSource(const WindSource&) = delete;
   void operator=(const WindSource&) = delete;
 
+  bool FindExtent(vtkInformation* out, int extent[6]) const;
+  void AddPoints(double time, vtkStructuredGrid* grid) const;
   void AddPoint(int i, int j, int k, double time, vtkStructuredGrid* grid) const;
 };
 #endif
