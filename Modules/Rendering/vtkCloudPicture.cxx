@@ -14,6 +14,7 @@
 #include "vtkCloudscape.h"
 #include "vtkCommand.h"
 #include "vtkCommunicator.h"
+#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -32,6 +33,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 vtkStandardNewMacro(vtkCloudPicture);
 
@@ -57,20 +59,34 @@ void addDisplayColor(vtkImageData* image)
   image->GetPointData()->SetActiveScalars(nephoscope::arrays::DisplayColor);
 }
 
-enum Kind : std::size_t
+enum Kind
 {
+  KindNone = -1,
   KindGrid,
   KindSurface,
   KindVoxels
 };
 
+// In the order of Kind.
+constexpr std::array<const char*, 3> Names = { "grids", "surfaces", "voxels" };
+constexpr std::array<const char*, 3> Setters = { "SetVolume", "SetSurface", "SetVoxels" };
+
+/// What the data say themselves: polygons of which there are none may be a piece of anything.
 Kind kindOf(vtkDataSet* data)
 {
+  if (!data)
+  {
+    return KindNone;
+  }
   if (!data->IsA("vtkPolyData"))
   {
     return KindGrid;
   }
-  return data->GetPointData()->HasArray(nephoscope::arrays::VoxelBricks) ? KindVoxels : KindSurface;
+  if (data->GetPointData()->HasArray(nephoscope::arrays::VoxelBricks))
+  {
+    return KindVoxels;
+  }
+  return data->GetNumberOfPoints() > 0 ? KindSurface : KindNone;
 }
 
 /// Widens the bounds of bricks' points, their first voxels, to where their density is 0.
@@ -251,45 +267,97 @@ int vtkCloudPicture::RequestUpdateExtent(
   return 1;
 }
 
-bool vtkCloudPicture::AddInputs(
-  vtkCloudscape* scape, vtkInformationVector** inputs, double bounds[6])
+bool vtkCloudPicture::IsOfSeveralRanks() const
 {
-  // In the order of Kind.
+  return this->Controller && this->Controller->GetNumberOfProcesses() > 1;
+}
+
+/// @param own what the inputs are in this process @param kinds what they are in all
+bool vtkCloudPicture::CanDraw(const std::array<int, 2>& own, const std::array<int, 2>& kinds)
+{
   const std::array<vtkCloudBody*, 3> bodies = { this->Volume, this->Surface, this->Voxels };
-  const char* const names[] = { "grids", "surfaces", "voxels" };
-  const char* const setters[] = { "SetVolume", "SetSurface", "SetVoxels" };
-  vtkBoundingBox box;
-  bool drawn[] = { false, false, false };
-  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  for (std::size_t port = 0; port < kinds.size(); ++port)
   {
-    vtkDataSet* const data = vtkDataSet::GetData(inputs[port]);
-    if (!data)
+    const int kind = kinds[port];
+    if (kind == KindNone)
     {
       continue;
     }
-    const Kind kind = kindOf(data);
-    if (drawn[kind])
+    if (own[port] != kind && own[port] != KindNone)
+    {
+      vtkErrorMacro("Input " << port << " has " << Names[own[port]] << " in this process and "
+                             << Names[kind] << " in another; give all the same kind.");
+      return false;
+    }
+    if (port > 0 && kind == kinds[0])
     {
       vtkErrorMacro("Both inputs are "
-        << names[kind] << "; one of each is drawn."
+        << Names[kind] << "; one of each is drawn."
         << (kind == KindSurface ? " Append them to one another." : ""));
       return false;
     }
-    drawn[kind] = true;
     if (!bodies[kind])
     {
       vtkErrorMacro(
-        "There is nothing to draw " << names[kind] << " with; call " << setters[kind] << '.');
+        "There is nothing to draw " << Names[kind] << " with; call " << Setters[kind] << '.');
       return false;
     }
-    bodies[kind]->SetInputData(data);
-    scape->AddBody(bodies[kind]);
-    data->GetBounds(bounds);
-    if (kind == KindVoxels)
+  }
+  return true;
+}
+
+/// What the inputs are, the same in all processes; KindNone where none has anything. False, in all, if one cannot draw them.
+bool vtkCloudPicture::AgreeOnKinds(vtkInformationVector** inputs, std::array<int, 2>& kinds)
+{
+  const std::array<int, 2> own = { kindOf(vtkDataSet::GetData(inputs[0])),
+    kindOf(vtkDataSet::GetData(inputs[1])) };
+  kinds = own;
+  if (!this->IsOfSeveralRanks())
+  {
+    return this->CanDraw(own, kinds);
+  }
+  this->Controller->AllReduce(own.data(), kinds.data(), 2, vtkCommunicator::MAX_OP);
+  const int ready = this->CanDraw(own, kinds) ? 1 : 0;
+  int allReady = 0;
+  this->Controller->AllReduce(&ready, &allReady, 1, vtkCommunicator::MIN_OP);
+  if (ready != 0 && allReady == 0)
+  {
+    vtkErrorMacro("Another process cannot draw its inputs; see its message.");
+  }
+  return allReady != 0;
+}
+
+bool vtkCloudPicture::AddInputs(
+  vtkCloudscape* scape, vtkInformationVector** inputs, double bounds[6])
+{
+  std::array<int, 2> kinds;
+  if (!this->AgreeOnKinds(inputs, kinds))
+  {
+    return false;
+  }
+  // In the order of Kind.
+  const std::array<vtkCloudBody*, 3> bodies = { this->Volume, this->Surface, this->Voxels };
+  vtkBoundingBox box;
+  for (std::size_t port = 0; port < kinds.size(); ++port)
+  {
+    if (kinds[port] == KindNone)
     {
-      addReachOfVoxels(data, bounds);
+      continue;
     }
-    box.AddBounds(bounds);
+    // A process that has nothing of it takes part with an empty piece.
+    vtkDataSet* const data = vtkDataSet::GetData(inputs[port]);
+    vtkCloudBody* const body = bodies[kinds[port]];
+    body->SetInputData(data);
+    scape->AddBody(body);
+    if (data)
+    {
+      data->GetBounds(bounds);
+      if (kinds[port] == KindVoxels)
+      {
+        addReachOfVoxels(data, bounds);
+      }
+      box.AddBounds(bounds);
+    }
   }
   box.GetBounds(bounds);
   this->GatherBounds(bounds);
@@ -299,7 +367,7 @@ bool vtkCloudPicture::AddInputs(
 /// The bounds of all processes' pieces.
 void vtkCloudPicture::GatherBounds(double bounds[6]) const
 {
-  if (this->Controller && this->Controller->GetNumberOfProcesses() > 1)
+  if (this->IsOfSeveralRanks())
   {
     double least[3] = { bounds[0], bounds[2], bounds[4] };
     double greatest[3] = { bounds[1], bounds[3], bounds[5] };
@@ -322,7 +390,7 @@ vtkCloudBody* vtkCloudPicture::ChooseGround(vtkInformationVector** inputs)
     return this->Ground;
   }
   double radius = std::max(planetRadius(inputs[0]), planetRadius(inputs[1]));
-  if (this->Controller && this->Controller->GetNumberOfProcesses() > 1)
+  if (this->IsOfSeveralRanks())
   {
     const double own = radius; // an empty piece does not know
     this->Controller->AllReduce(&own, &radius, 1, vtkCommunicator::MAX_OP);
@@ -384,12 +452,11 @@ int vtkCloudPicture::RequestData(
   scape->SetController(this->Controller);
   scape->AddBody(this->ChooseGround(inputs));
   scape->AddObserver(vtkCommand::ProgressEvent, this, &vtkCloudPicture::Forward);
-  scape->Update();
+  const bool drawn = scape->GetExecutive()->Update(0) != 0;
   vtkImageData* const picture = vtkImageData::GetData(outputs);
   picture->ShallowCopy(scape->GetOutput());
   addDisplayColor(picture);
-  const bool elsewhere = this->Controller && this->Controller->GetLocalProcessId() > 0;
-  return elsewhere || picture->GetNumberOfPoints() > 0;
+  return drawn;
 }
 
 void vtkCloudPicture::PrintSelf(ostream& os, vtkIndent indent)

@@ -17,7 +17,9 @@
  * Output   vtkImageData of Size, that of vtkCloudscape: Radiance, Transmittance, Depth; and DisplayColor (3 unsigned char, sRGB of
  *          Radiance), which are the active scalars.
  * Parameters: see the setters; the parts have their own.
- * Errors   other data, two inputs of one kind, those of vtkCloudscape: vtkErrorMacro, an empty output.
+ * Errors   other data, two inputs of one kind, those of vtkCloudscape: vtkErrorMacro, an empty output. Polygons without points are of no
+ *          kind, or of that which the input is of in other processes. What this filter finds wrong in one of several processes is an
+ *          error of all; if an input fails in one process alone this filter is not reached there, and the others wait for it.
  * Cost     that of vtkCloudscape. Parts keep what does not depend on the camera.
  * @sa vtkCloudscape, vtkCloudPictureWriter, TestCloudPicture.cxx
  */
@@ -27,6 +29,8 @@
 #include "vtkCloudRenderingModule.h" // for export macro
 #include "vtkImageAlgorithm.h"
 #include "vtkSmartPointer.h" // for members
+
+#include <array> // for arguments
 
 class vtkCamera;
 class vtkCloudBackdrop;
@@ -148,6 +152,9 @@ private:
   vtkCloudPicture(const vtkCloudPicture&) = delete;
   void operator=(const vtkCloudPicture&) = delete;
 
+  bool IsOfSeveralRanks() const;
+  bool CanDraw(const std::array<int, 2>& own, const std::array<int, 2>& kinds);
+  bool AgreeOnKinds(vtkInformationVector** inputs, std::array<int, 2>& kinds);
   bool AddInputs(vtkCloudscape* scape, vtkInformationVector** inputs, double bounds[6]);
   void GatherBounds(double bounds[6]) const;
   vtkCloudBody* ChooseGround(vtkInformationVector** inputs);

@@ -181,6 +181,47 @@ bool vtkCloudscape::Validate()
   return true;
 }
 
+/// Whether all processes can draw, and the same: by what follows they find each other's packets.
+bool vtkCloudscape::AgreeOn(bool valid)
+{
+  if (!this->IsOfSeveralRanks())
+  {
+    return valid;
+  }
+  const auto bodies = std::count_if(this->Bodies.begin(), this->Bodies.end(),
+    [](vtkCloudBody* body) { return body->GetVisibility(); });
+  constexpr int Count = 6;
+  const int settings[Count] = { this->Size[0], this->Size[1], this->Samples, this->TileSize,
+    this->ComputeDepth ? 1 : 0, static_cast<int>(bodies) };
+  // The least of each and, negative, the greatest.
+  int own[2 * Count + 1] = { valid ? 1 : 0 };
+  for (int n = 0; n < Count; ++n)
+  {
+    own[1 + n] = settings[n];
+    own[1 + Count + n] = -settings[n];
+  }
+  int least[2 * Count + 1];
+  this->Controller->AllReduce(own, least, 2 * Count + 1, vtkCommunicator::MIN_OP);
+  if (least[0] == 0)
+  {
+    if (valid)
+    {
+      vtkErrorMacro("Another process cannot draw the picture; see its message.");
+    }
+    return false;
+  }
+  for (int n = 0; n < Count; ++n)
+  {
+    if (least[1 + n] != -least[1 + Count + n])
+    {
+      vtkErrorMacro("Processes differ in Size, Samples, TileSize, ComputeDepth or the number of "
+                    "visible bodies; give all of them the same.");
+      return false;
+    }
+  }
+  return true;
+}
+
 bool vtkCloudscape::IsOfSeveralRanks() const
 {
   return this->Controller && this->Controller->GetNumberOfProcesses() > 1;
@@ -245,7 +286,7 @@ int vtkCloudscape::RequestInformation(
 int vtkCloudscape::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  if (!this->Validate())
+  if (!this->AgreeOn(this->Validate()))
   {
     return 0;
   }
@@ -259,8 +300,8 @@ int vtkCloudscape::RequestData(
     [](vtkCloudBody* body) { return body->GetVisibility(); });
   std::stable_sort(scene.Bodies.begin(), scene.Bodies.end(),
     [](const vtkCloudBody* a, const vtkCloudBody* b) { return turn(*a) < turn(*b); });
-  const bool sums = sumsMayBeSent(scene);
-  if (!this->PrepareBodies(scene))
+  bool sums = sumsMayBeSent(scene);
+  if (!this->PrepareBodies(scene, sums))
   {
     return 0;
   }
@@ -279,11 +320,11 @@ int vtkCloudscape::RequestData(
   return 1;
 }
 
-/// Gets bodies ready; leaves in the scene those that have something in this process.
-bool vtkCloudscape::PrepareBodies(TileScene& scene)
+/// Gets bodies ready; leaves in the scene those that have something in this process, and `sums` if all processes may send them.
+bool vtkCloudscape::PrepareBodies(TileScene& scene, bool& sums)
 {
   std::vector<vtkCloudBody*> here;
-  int ready = 1;
+  int own[2] = { 1, sums ? 1 : 0 };
   for (vtkCloudBody* body : scene.Bodies)
   {
     if (this->IsOfSeveralRanks())
@@ -295,24 +336,25 @@ bool vtkCloudscape::PrepareBodies(TileScene& scene)
       continue;
     }
     here.push_back(body);
-    if (!body->Prepare(scene.Camera))
+    // The others' inputs are updated all the same: processes may meet in their pipelines.
+    if (own[0] != 0 && !body->Prepare(scene.Camera))
     {
       vtkErrorMacro("A " << body->GetClassName() << " cannot be drawn; see its own message.");
-      ready = 0;
-      break;
+      own[0] = 0;
     }
   }
   scene.Bodies = here;
-  int allReady = ready;
+  int all[2] = { own[0], own[1] };
   if (this->IsOfSeveralRanks())
   {
-    this->Controller->AllReduce(&ready, &allReady, 1, vtkCommunicator::MIN_OP);
+    this->Controller->AllReduce(own, all, 2, vtkCommunicator::MIN_OP);
   }
-  if (ready && !allReady)
+  if (own[0] != 0 && all[0] == 0)
   {
     vtkErrorMacro("Another process cannot draw its piece; see its message.");
   }
-  return allReady != 0;
+  sums = all[1] != 0;
+  return all[0] != 0;
 }
 
 /// Returns false if it was aborted.

@@ -25,8 +25,8 @@
  *                           it does not; with several rays a pixel, the median of theirs
  * Parameters: see the setters.
  * Method   L = L_body + T_body L_backdrop, the equation of nephoscope::Segment.
- * Errors   of several processes the same in all. No camera, a size that is not positive or, times Samples, over 32768, a body that cannot be prepared: vtkErrorMacro, an
- *          empty output.
+ * Errors   of several processes the same in all. No camera, a size that is not positive or, times Samples, over 32768, a body that cannot be prepared,
+ *          processes with other settings or another number of visible bodies: vtkErrorMacro, an empty output.
  * Cost     that of the bodies plus O(n log n) for the n segments of each pixel. Memory is that of the picture and of
  *          one tile's segments a thread. The same bits for any number of threads. Reports progress and can be aborted.
  * @sa vtkCloudBody, vtkCloudBackdrop, nephoscope::DeepTile
@@ -153,11 +153,12 @@ private:
   void operator=(const vtkCloudscape&) = delete;
 
   bool Validate();
+  bool AgreeOn(bool valid);
   bool IsOfSeveralRanks() const;
   void UpdateBodies();
   void UpdateInputs(vtkCloudBody* body);
   bool HasPieceOf(vtkCloudBody* body) const;
-  bool PrepareBodies(TileScene& scene);
+  bool PrepareBodies(TileScene& scene, bool& sums);
   bool DrawAll(const TileScene& scene, bool sums, vtkImageData* image);
 
   vtkSmartPointer<vtkCamera> Camera;

@@ -8,6 +8,7 @@
 #include "vtkCloudGlobe.h"
 #include "vtkCloudGradedBackdrop.h"
 #include "vtkCloudNetCDFReader.h"
+#include "vtkCloudPicture.h"
 #include "vtkCloudSmooth.h"
 #include "vtkCloudSurface.h"
 #include "vtkCloudUniformMedium.h"
@@ -15,10 +16,13 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
+#include "vtkExecutive.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTrivialProducer.h"
 
@@ -368,6 +372,34 @@ TEST(RankedPicture, ErrorInOneProcess)
   EXPECT_EQ(scape->GetOutput()->GetNumberOfPoints(), 0);
 }
 
+/// They would not understand each other's packets.
+TEST(RankedPicture, ProcessesWithOtherSettings)
+{
+  vtkNew<vtkCloudCellVolume> volume;
+  volume->SetInputData(fewColumns());
+  vtkNew<vtkCloudscape> scape;
+  scape->SetController(controller());
+  scape->AddBody(volume);
+  look(scape, 40, 30);
+  const bool other = ranks() > 1 && rank() == ranks() - 1;
+  const auto expectError = [&scape](const char* expected)
+  {
+    const Errors errors(scape);
+    scape->Update();
+    EXPECT_EQ(errors.Text.find(expected) != std::string::npos, ranks() > 1) << errors.Text;
+    EXPECT_EQ(scape->GetOutput()->GetNumberOfPoints() > 0, ranks() == 1);
+    scape->RemoveAllObservers();
+  };
+  scape->SetTileSize(other ? 16 : 32);
+  expectError("Processes differ in Size");
+  scape->SetTileSize(32);
+  volume->SetVisibility(!other);
+  expectError("Processes differ in Size");
+  volume->SetVisibility(true);
+  scape->SetSize(other ? 0 : 40, 30);
+  expectError(other ? "is not within" : "Another process cannot draw the picture");
+}
+
 TEST(RankedPicture, AbortInOneProcess)
 {
   vtkNew<vtkCloudNetCDFReader> reader;
@@ -385,6 +417,95 @@ TEST(RankedPicture, AbortInOneProcess)
   }
   scene.Scape->Update();
   EXPECT_EQ(scene.Scape->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+/// In the middle of fewColumns().
+vtkSmartPointer<vtkPolyData> triangle()
+{
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(100, 500, 100);
+  points->InsertNextPoint(2900, 500, 200);
+  points->InsertNextPoint(1600, 500, 2500);
+  data->SetPoints(points);
+  data->AllocateExact(1, 3);
+  const vtkIdType corners[3] = { 0, 1, 2 };
+  data->InsertNextCell(VTK_TRIANGLE, 3, corners);
+  return data;
+}
+
+vtkSmartPointer<vtkCloudPicture> pictureOf(vtkDataObject* first, vtkDataObject* second)
+{
+  auto picture = vtkSmartPointer<vtkCloudPicture>::New();
+  picture->SetSize(90, 60);
+  picture->SetInputDataObject(0, first);
+  picture->SetInputDataObject(1, second);
+  picture->GetVolume()->SetFullCoverExtinction(1e-3);
+  picture->GetSurface()->SetOpacity(0.5);
+  return picture;
+}
+
+/// The grid in the first process, the polygons in the last; the others' pieces are empty polygons or grids.
+TEST(RankedFilter, DrawsWhatOneProcessHas)
+{
+  const auto grid = fewColumns();
+  const auto polygons = triangle();
+  const vtkNew<vtkStructuredGrid> noGrid;
+  const vtkNew<vtkPolyData> noPolygons;
+  const bool last = rank() == ranks() - 1;
+  vtkDataObject* const ownGrid = rank() == 0 ? grid.Get() : noGrid.Get();
+  vtkDataObject* const ownPolygons = last ? polygons.Get() : noPolygons.Get();
+  const auto together = pictureOf(ownPolygons, ownGrid);
+  together->SetController(controller());
+  together->Update();
+  const auto bare = pictureOf(ownPolygons, noPolygons);
+  bare->SetController(controller());
+  bare->Update();
+  if (rank() > 0)
+  {
+    EXPECT_EQ(together->GetOutput()->GetNumberOfPoints(), 0);
+    return;
+  }
+  const auto alone = pictureOf(polygons, grid);
+  const auto bareAlone = pictureOf(polygons, nullptr);
+  for (vtkCloudPicture* picture : { alone.Get(), bareAlone.Get() })
+  {
+    picture->SetController(nullptr);
+    picture->Update();
+    EXPECT_GT(brightest(picture->GetOutput()), 0.1);
+  }
+  EXPECT_LE(difference(together->GetOutput(), alone->GetOutput()), 1e-6);
+  EXPECT_LE(difference(bare->GetOutput(), bareAlone->GetOutput()), 1e-6);
+}
+
+/// All of them say so, and none waits for ever.
+TEST(RankedFilter, InputThatOneProcessCannotDraw)
+{
+  const bool last = rank() == ranks() - 1;
+  const auto polygons = triangle();
+  const vtkNew<vtkPolyData> noPolygons;
+  const auto messageOf = [](vtkCloudPicture* picture)
+  {
+    const Errors errors(picture);
+    const Errors ofPipeline(picture->GetExecutive());
+    picture->SetController(controller());
+    picture->Update();
+    EXPECT_EQ(picture->GetOutput()->GetNumberOfPoints(), 0);
+    return errors.Text;
+  };
+  const auto twice = pictureOf(polygons, last ? polygons.Get() : noPolygons.Get());
+  EXPECT_NE(messageOf(twice).find("Both inputs are surfaces"), std::string::npos);
+  const auto without = pictureOf(polygons, nullptr);
+  if (last)
+  {
+    without->SetSurface(nullptr);
+  }
+  const char* const expected = last ? "call SetSurface" : "Another process cannot draw its inputs";
+  EXPECT_NE(messageOf(without).find(expected), std::string::npos);
+  const auto grid = fewColumns();
+  vtkDataObject* const other = last ? static_cast<vtkDataObject*>(polygons) : grid;
+  const std::string mixed = ranks() > 1 ? messageOf(pictureOf(other, nullptr)) : "Another process";
+  EXPECT_NE(mixed.find(last ? "Another process" : "in another"), std::string::npos) << mixed;
 }
 
 /// Numbers of all processes, in rank 0, one process's after another's.
