@@ -396,6 +396,10 @@ double FogGrid::sum() const
 void FogGrid::multiply(double factor)
 {
   this->Made->multiply(factor);
+  for (double& sum : this->Sums)
+  {
+    sum *= factor;
+  }
 }
 
 bool writeVDB(const std::string& path, std::vector<FogGrid>& grids, bool half,

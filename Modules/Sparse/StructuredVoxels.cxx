@@ -10,9 +10,11 @@
 #include "vtkStructuredGrid.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <new>
 
 namespace nephoscope
 {
@@ -385,6 +387,28 @@ bool Voxelizer::sample(const VoxelProgress& progress)
   };
   const auto bricks = static_cast<vtkIdType>(this->Starts.size()) - 1;
   vtkSMPThreadLocal<Own> owned;
+  std::atomic<bool> full{ false }; // memory, which no thread may throw
+  const auto sampleBricks = [&owned, &full, this](vtkIdType begin, vtkIdType end)
+  {
+    try
+    {
+      Own& own = owned.Local();
+      if (!own.sampler)
+      {
+        own.sampler = std::make_shared<BrickSampler>(
+          this->Frame, this->Samples, this->Channels, this->VectorChannels);
+        own.means.resize(static_cast<std::size_t>(this->Channels) * BrickSampler::Volume);
+      }
+      for (vtkIdType brick = begin; brick < end; ++brick)
+      {
+        this->sampleBrick(static_cast<std::size_t>(brick), *own.sampler, own.means);
+      }
+    }
+    catch (const std::bad_alloc&)
+    {
+      full = true;
+    }
+  };
   constexpr vtkIdType Parts = 20;
   for (vtkIdType part = 0; part < Parts; ++part)
   {
@@ -392,21 +416,11 @@ bool Voxelizer::sample(const VoxelProgress& progress)
     {
       return false;
     }
-    vtkSMPTools::For(bricks * part / Parts, bricks * (part + 1) / Parts,
-      [&owned, this](vtkIdType begin, vtkIdType end)
-      {
-        Own& own = owned.Local();
-        if (!own.sampler)
-        {
-          own.sampler = std::make_shared<BrickSampler>(
-            this->Frame, this->Samples, this->Channels, this->VectorChannels);
-          own.means.resize(static_cast<std::size_t>(this->Channels) * BrickSampler::Volume);
-        }
-        for (vtkIdType brick = begin; brick < end; ++brick)
-        {
-          this->sampleBrick(static_cast<std::size_t>(brick), *own.sampler, own.means);
-        }
-      });
+    vtkSMPTools::For(bricks * part / Parts, bricks * (part + 1) / Parts, sampleBricks);
+    if (full)
+    {
+      throw std::bad_alloc();
+    }
   }
   return true;
 }
@@ -425,7 +439,8 @@ void Voxelizer::conserve(std::size_t quantity)
   if (mass > 0 && !(sum > 0))
   {
     throw VDBError("No voxel of " + numberText(size[0]) + " x " + numberText(size[1]) + " x " +
-      numberText(size[2]) + " meets the clouds of '" + grid.name() + "'; choose smaller voxels");
+      numberText(size[2]) + " meets the clouds of '" + grid.name() +
+      "'; choose smaller voxels, or prune less");
   }
   const double factor = sum > 0 ? mass / (sum * size[0] * size[1] * size[2]) : 1;
   grid.multiply(factor);

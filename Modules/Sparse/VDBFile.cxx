@@ -188,16 +188,11 @@ template <class Tree>
 double brickVoxels(const Tree& tree)
 {
   double voxels = static_cast<double>(tree.leafCount()) * Leaf;
-  for (auto value = tree.cbeginValueOn(); value; ++value)
+  auto tile = tree.cbeginValueOn();
+  tile.setMaxDepth(Tree::ValueOnCIter::LEAF_DEPTH - 1);
+  for (; tile; ++tile)
   {
-    if (value.isTileValue())
-    {
-      voxels += static_cast<double>(value.getVoxelCount());
-    }
-    else
-    {
-      break; // leaves come last and are counted
-    }
+    voxels += static_cast<double>(tile.getVoxelCount());
   }
   return voxels;
 }
@@ -237,18 +232,20 @@ void takeTiles(const Tree& tree, VoxelGrid& to)
   {
     openvdb::CoordBBox box;
     tile.getBoundingBox(box);
-    for (int k = box.min()[2]; k < box.max()[2]; k += VoxelGrid::Edge)
+    const openvdb::Coord first = box.min();
+    const openvdb::Coord size = box.dim();
+    for (int k = 0; k < size[2]; k += VoxelGrid::Edge)
     {
-      for (int j = box.min()[1]; j < box.max()[1]; j += VoxelGrid::Edge)
+      for (int j = 0; j < size[1]; j += VoxelGrid::Edge)
       {
-        for (int i = box.min()[0]; i < box.max()[0]; i += VoxelGrid::Edge)
+        for (int i = 0; i < size[0]; i += VoxelGrid::Edge)
         {
-          to.bricks.push_back({ i, j, k });
-          const std::size_t first = to.values.size();
-          to.values.resize(first + to.floatsPerBrick());
+          to.bricks.push_back({ first[0] + i, first[1] + j, first[2] + k });
+          const std::size_t values = to.values.size();
+          to.values.resize(values + to.floatsPerBrick());
           for (std::size_t voxel = 0; voxel < Leaf; ++voxel)
           {
-            put(to.values.data() + first, voxel, tile.getValue());
+            put(to.values.data() + values, voxel, tile.getValue());
           }
         }
       }

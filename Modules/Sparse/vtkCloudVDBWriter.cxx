@@ -170,6 +170,12 @@ vtkTypeBool vtkCloudVDBWriter::ProcessRequest(
     vtkErrorMacro(<< error.what() << ".");
     return 0;
   }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorMacro("There is not enough memory for the voxels of "
+      << this->FileName << "; choose larger ones, or fewer grids.");
+    return 0;
+  }
   this->Written = !this->GetAbortExecute();
   return 1;
 }

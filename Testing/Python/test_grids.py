@@ -206,6 +206,8 @@ class Places(unittest.TestCase):
                 self.assertEqual((geometry(globe), globe.GetDimensions()), ("Globe", (13, 5, 2)))
         over = nephoscope.grid(np.zeros((2, 3, 3)), longitude=[359, 0, 1], latitude=[0, 1, 2], height=[0, 1])
         np.testing.assert_allclose(over.GetBounds()[:2], np.radians([359, 361]) * 6371229)
+        wide = nephoscope.grid(np.zeros((2, 3, 2)), longitude=[-100, 100], latitude=[0, 1, 2], height=[0, 1])
+        np.testing.assert_allclose(wide.GetBounds()[:2], np.radians([-100, 100]) * 6371229)
         with self.subTest("curvilinear"):
             lon, lat = np.meshgrid(LON, LAT)
             curved = nephoscope.points(lain(ball(), longitude=lon, latitude=lat))

@@ -86,7 +86,9 @@ def _axis_pair(east: Any, north: Any, geometry: str) -> tuple[Array, Array]:
 
 def _unwrapped(longitude: Array) -> Array:
     """Longitudes, degrees, without the step from 359 to 0 or from 180 to -180."""
-    return np.unwrap(longitude, period=360) if longitude.ndim == 1 else longitude
+    steps = np.diff(longitude)
+    plain = longitude.ndim != 1 or (steps > 0).all() or (steps < 0).all()
+    return longitude if plain else np.unwrap(longitude, period=360)
 
 
 def _check_axis(name: str, values: Array) -> None:

@@ -168,6 +168,7 @@ TEST(CloudVDBErrors, SizesThatAreTooLargeOrCannotBe)
   expectRefusal(folder.file("inverted.vdb"), "a bounding box that ends before it begins");
   // Not declared: a tile of 4096^3 voxels in a file of some kB.
   grid = smallFog();
+  grid->tree().setValue(openvdb::Coord(-4000, 8, 8), 1.0F); // a leaf before it
   grid->tree().addTile(2, openvdb::Coord(0, 0, 0), 1.0F, true);
   save(folder.file("tile.vdb"), grid, false);
   expectRefusal(folder.file("tile.vdb"), "voxels in its bricks, more than the", "", 1e6);
