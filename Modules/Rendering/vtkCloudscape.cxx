@@ -235,9 +235,10 @@ void vtkCloudscape::UpdateBodies()
   }
 }
 
-/// Brings a body's inputs up to date: all of them, or this process's piece.
-void vtkCloudscape::UpdateInputs(vtkCloudBody* body)
+/// Brings a body's inputs up to date: all of them, or this process's piece. Returns false if one cannot be.
+bool vtkCloudscape::UpdateInputs(vtkCloudBody* body)
 {
+  bool updated = true;
   const bool pieces = this->IsOfSeveralRanks() && body->DrawsPieces();
   const int piece = pieces ? this->Controller->GetLocalProcessId() : 0;
   const int all = pieces ? this->Controller->GetNumberOfProcesses() : 1;
@@ -249,7 +250,7 @@ void vtkCloudscape::UpdateInputs(vtkCloudBody* body)
       vtkAlgorithm* const source = body->GetInputAlgorithm(port, connection);
       if (this->IsOfSeveralRanks())
       {
-        source->UpdatePiece(piece, all, 0);
+        updated = source->UpdatePiece(piece, all, 0) && updated;
       }
       else
       {
@@ -257,6 +258,7 @@ void vtkCloudscape::UpdateInputs(vtkCloudBody* body)
       }
     }
   }
+  return updated;
 }
 
 /// Whether there is anything of a body in this process.
@@ -327,9 +329,11 @@ bool vtkCloudscape::PrepareBodies(TileScene& scene, bool& sums)
   int own[2] = { 1, sums ? 1 : 0 };
   for (vtkCloudBody* body : scene.Bodies)
   {
-    if (this->IsOfSeveralRanks())
+    // Another body may have asked the same pipeline for another piece.
+    if (this->IsOfSeveralRanks() && !this->UpdateInputs(body))
     {
-      this->UpdateInputs(body); // another body may have asked the same pipeline for another piece
+      vtkErrorMacro("The input of a " << body->GetClassName() << " fails; see its own message.");
+      own[0] = 0;
     }
     if (!this->HasPieceOf(body))
     {

@@ -156,7 +156,7 @@ private:
   bool AgreeOn(bool valid);
   bool IsOfSeveralRanks() const;
   void UpdateBodies();
-  void UpdateInputs(vtkCloudBody* body);
+  bool UpdateInputs(vtkCloudBody* body);
   bool HasPieceOf(vtkCloudBody* body) const;
   bool PrepareBodies(TileScene& scene, bool& sums);
   bool DrawAll(const TileScene& scene, bool sums, vtkImageData* image);

@@ -433,6 +433,31 @@ TEST(RankedPicture, ProcessesWithOtherSettings)
   expectError(other ? "is not within" : "Another process cannot draw the picture");
 }
 
+/// A piece that cannot be read is no process without a piece: the picture would have a hole.
+TEST(RankedPicture, FileThatOneProcessCannotRead)
+{
+  const bool wrong = rank() == ranks() - 1;
+  vtkNew<vtkCloudNetCDFReader> reader;
+  reader->SetFileName(wrong ? "none.nc" : Climate.c_str());
+  vtkNew<vtkCloudCellVolume> volume;
+  volume->SetInputConnection(reader->GetOutputPort());
+  vtkNew<vtkCloudscape> scape;
+  scape->SetController(controller());
+  scape->AddBody(volume);
+  look(scape, 40, 30);
+  const Errors ofReader(reader);
+  const Errors ofPipeline(reader->GetExecutive());
+  const Errors ofScape(scape);
+  scape->Update();
+  const char* const expected =
+    wrong ? "The input of a vtkCloudCellVolume fails" : "Another process cannot draw";
+  if (ranks() > 1)
+  {
+    EXPECT_NE(ofScape.Text.find(expected), std::string::npos) << ofScape.Text;
+  }
+  EXPECT_EQ(scape->GetOutput()->GetNumberOfPoints(), 0);
+}
+
 TEST(RankedPicture, AbortInOneProcess)
 {
   vtkNew<vtkCloudNetCDFReader> reader;
