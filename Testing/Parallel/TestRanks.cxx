@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Many processes: run by mpirun with 1 to 5 of them. Pictures and surfaces are those of one process.
-#include "PieceTesting.h"
+// Many processes: run by mpirun with 1 to 5 of them. Pictures are those of one process.
+#include "CloudArrays.h"
 #include "RankTesting.h"
 
 #include "vtkCloudCellVolume.h"
@@ -29,7 +29,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <memory>
 
 namespace
@@ -564,51 +563,6 @@ TEST(RankedFilter, InputThatOneProcessCannotDraw)
   vtkDataObject* const other = last ? static_cast<vtkDataObject*>(polygons) : grid;
   const std::string mixed = ranks() > 1 ? messageOf(pictureOf(other, nullptr)) : "Another process";
   EXPECT_NE(mixed.find(last ? "Another process" : "in another"), std::string::npos) << mixed;
-}
-
-/// Numbers of all processes, in rank 0, one process's after another's.
-std::vector<double> gathered(const std::vector<double>& own)
-{
-  const auto size = static_cast<vtkIdType>(own.size());
-  std::vector<vtkIdType> sizes(static_cast<std::size_t>(ranks()));
-  controller()->AllGather(&size, sizes.data(), 1);
-  std::vector<vtkIdType> starts{ 0 };
-  for (const vtkIdType n : sizes)
-  {
-    starts.push_back(starts.back() + n);
-  }
-  std::vector<double> all(static_cast<std::size_t>(starts.back()));
-  controller()->GatherV(own.data(), all.data(), size, sizes.data(), starts.data(), 0);
-  return all;
-}
-
-/// The triangles of all processes' contours are those of one process's, to the bit.
-TEST(RankedSurface, HasTheTrianglesOfTheWhole)
-{
-  vtkNew<vtkCloudNetCDFReader> reader;
-  reader->SetFileName(Climate.c_str());
-  vtkNew<vtkCloudContour> contour;
-  contour->SetInputConnection(reader->GetOutputPort());
-  contour->UpdatePiece(rank(), ranks(), 0);
-  std::vector<Triangle> own;
-  addTriangles(contour->GetOutput(), own);
-  std::vector<double> numbers(own.size() * sizeof(Triangle) / sizeof(double));
-  std::memcpy(numbers.data(), own.data(), own.size() * sizeof(Triangle));
-  const std::vector<double> all = gathered(numbers);
-  if (rank() == 0)
-  {
-    std::vector<Triangle> together(all.size() * sizeof(double) / sizeof(Triangle));
-    std::memcpy(together.data(), all.data(), all.size() * sizeof(double));
-    std::sort(together.begin(), together.end());
-    const auto whole = trianglesInPieces(1,
-      [&contour](int piece, int pieces)
-      {
-        contour->UpdatePiece(piece, pieces, 0);
-        return contour->GetOutput();
-      });
-    EXPECT_GT(whole.size(), 1000U);
-    EXPECT_TRUE(together == whole);
-  }
 }
 }
 
